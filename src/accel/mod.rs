@@ -1,0 +1,72 @@
+//! Which surface is nearest, and which stand in the way of a light.
+
+mod supports;
+
+pub use supports::supports;
+
+use crate::math::{Ray, Rgb, Segment, Span, Support};
+use crate::surface::{Hit, Surface};
+
+/// The surfaces of a scene in file order: every one is asked.
+#[derive(Debug)]
+pub struct SurfaceList<'a> {
+    entries: Vec<(&'a dyn Surface, Support)>,
+}
+
+impl<'a> SurfaceList<'a> {
+    /// A list of these surfaces.
+    #[must_use]
+    pub fn new(surfaces: &'a [Box<dyn Surface>]) -> Self {
+        let all = surfaces.iter().map(AsRef::as_ref);
+        Self {
+            entries: all.zip(supports(surfaces)).collect(),
+        }
+    }
+
+    /// The surface that a ray meets first, with the sheet that it lies on.
+    ///
+    /// Of surfaces on the same sheet the first in the file wins.
+    #[must_use]
+    pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&'a dyn Surface, Support, Hit)> {
+        let mut best: Option<(&'a dyn Surface, Support, Hit)> = None;
+        for &(surface, support) in &self.entries {
+            if ray.leaves == Some(support) {
+                continue;
+            }
+            let Some(hit) = surface.hits(ray, span) else {
+                continue;
+            };
+            let nearer = best.as_ref().is_none_or(|(_, best_support, best_hit)| {
+                hit.t < best_hit.t && support != *best_support
+            });
+            if nearer {
+                best = Some((surface, support, hit));
+            }
+        }
+        best
+    }
+
+    /// The share of a light's colour that passes along a segment to it.
+    ///
+    /// Opaque surfaces block it, transparent ones tint it, each once.
+    #[must_use]
+    pub fn transmittance(&self, segment: &Segment) -> Rgb {
+        let mut passed = Rgb::WHITE;
+        for &(surface, support) in &self.entries {
+            let common = surface.common();
+            if segment.ray.leaves == Some(support)
+                || !common.shadows.cast
+                || !surface.occludes(segment)
+            {
+                continue;
+            }
+            if common.material.transparency == 0.0 {
+                return Rgb::BLACK;
+            }
+            if let Some(hit) = surface.hits(&segment.ray, segment.span) {
+                passed = passed * surface.transmits(&hit);
+            }
+        }
+        passed
+    }
+}

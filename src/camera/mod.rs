@@ -1,0 +1,80 @@
+//! From pixels to rays.
+
+mod view;
+
+pub use view::{View, WindowOrigin};
+
+use glam::DVec3;
+
+use crate::math::{Point, Ray, Span, direction};
+
+/// A viewpoint and the window that it looks through, for a picture of a certain size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Camera {
+    viewpoint: DVec3,
+    /// From the viewpoint to the window's lower-left corner.
+    lower_left: DVec3,
+    /// Along the window's lower edge, whole.
+    right: DVec3,
+    /// Along the window's left edge, whole.
+    up: DVec3,
+    /// How far the first pixel's centre lies inside the window's edge, in pixels.
+    inset: f64,
+    /// Pixels from edge to edge.
+    span: [f64; 2],
+    /// Whether hits on the viewer's side of the plane z = 0 are misses.
+    screen: bool,
+}
+
+impl Camera {
+    /// Where the camera is.
+    #[must_use]
+    pub fn viewpoint(&self) -> DVec3 {
+        self.viewpoint
+    }
+
+    /// The ray through a place of the picture, counted in pixels from the centre of the
+    /// lower-left one.
+    #[must_use]
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let across = self.right * ((x + self.inset) / self.span[0]);
+        let upward = self.up * ((y + self.inset) / self.span[1]);
+        Ray::new(
+            Point::exact(self.viewpoint),
+            direction(self.lower_left + across + upward),
+        )
+    }
+
+    /// The distances at which a ray can meet a surface.
+    ///
+    /// Behind the chapter's screen everything counts, on the viewer's side nothing does.
+    #[must_use]
+    pub fn span(&self, ray: &Ray) -> Span {
+        if !self.screen {
+            return Span::AHEAD;
+        }
+        let height = ray.origin.from(DVec3::ZERO).z;
+        let slope = ray.dir.z;
+        if slope < 0.0 {
+            Span::AHEAD.since(-height / slope)
+        } else if slope > 0.0 {
+            Span::AHEAD.until(-height / slope)
+        } else if height > 0.0 {
+            Span::AHEAD.until(0.0)
+        } else {
+            Span::AHEAD
+        }
+    }
+
+    /// The directions from the viewpoint through the window's corners.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 4] {
+        let corner = self.lower_left;
+        [
+            corner,
+            corner + self.right,
+            corner + self.up,
+            corner + self.right + self.up,
+        ]
+    }
+}

@@ -1,0 +1,100 @@
+//! Pixels in memory and on disk.
+
+mod format;
+mod pfm;
+mod png;
+mod ppm;
+mod quantize;
+mod save;
+
+pub use format::Format;
+pub use quantize::Rounding;
+pub use save::save;
+
+use std::io::{self, Write};
+
+use crate::math::Rgb;
+
+/// A picture of linear, unclamped colours; rows from top to bottom.
+///
+/// No transfer curve is applied, as in the chapter: intensity 1 is the largest code value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Film {
+    width: usize,
+    height: usize,
+    pixels: Vec<Rgb>,
+}
+
+/// What goes into a picture file beside the pixels.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Notes(pub Vec<(&'static str, String)>);
+
+impl Film {
+    /// A black picture.
+    #[must_use]
+    pub fn new(width: usize, height: usize) -> Self {
+        Self {
+            width,
+            height,
+            pixels: vec![Rgb::BLACK; width * height],
+        }
+    }
+
+    /// The width in pixels.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The height in pixels.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// All pixels, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[Rgb] {
+        &self.pixels
+    }
+
+    /// All pixels to be written, row by row from the top.
+    pub fn pixels_mut(&mut self) -> &mut [Rgb] {
+        &mut self.pixels
+    }
+
+    /// The pixel in a column from the left and a row from the top.
+    #[must_use]
+    pub fn pixel(&self, column: usize, row: usize) -> Rgb {
+        self.pixels[row * self.width + column]
+    }
+
+    /// Column and row of every pixel with an infinite or not-a-number channel.
+    pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
+        let odd = self
+            .pixels
+            .iter()
+            .enumerate()
+            .filter(|(_, pixel)| !pixel.is_finite());
+        odd.map(|(index, _)| (index % self.width, index / self.width))
+    }
+
+    /// Writes the picture as a file of this format.
+    ///
+    /// # Errors
+    /// Whatever the writer fails with.
+    pub fn write(
+        &self,
+        out: &mut dyn Write,
+        format: Format,
+        rounding: Rounding,
+        notes: &Notes,
+    ) -> io::Result<()> {
+        match format {
+            Format::Png8 => png::write(self, out, png::Depth::Eight, rounding, notes),
+            Format::Png16 => png::write(self, out, png::Depth::Sixteen, rounding, notes),
+            Format::Ppm => ppm::write(self, out, rounding),
+            Format::Pfm => pfm::write(self, out),
+        }
+    }
+}

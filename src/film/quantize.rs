@@ -1,0 +1,58 @@
+//! From intensities to code values.
+
+/// How an intensity between two code values becomes one of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rounding {
+    /// To the nearest code value, halves upward.
+    #[default]
+    Nearest,
+    /// To the next lower one, as the course's programs did.
+    Truncate,
+}
+
+impl Rounding {
+    /// The code value from 0 to `largest` for an intensity; clamped, and 0 for not-a-number.
+    #[must_use]
+    pub fn code(self, intensity: f64, largest: u16) -> u16 {
+        let scaled = intensity * f64::from(largest);
+        let raised = match self {
+            Self::Nearest => scaled + 0.5,
+            Self::Truncate => scaled,
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "casts from float saturate; NaN is 0"
+        )]
+        let code = raised as u16;
+        code.min(largest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_code_is_chosen_at_every_threshold() {
+        for code in 0..255u16 {
+            let threshold = (f64::from(code) + 0.5) / 255.0;
+            assert_eq!(Rounding::Nearest.code(threshold.next_up(), 255), code + 1);
+            assert_eq!(
+                Rounding::Nearest.code(threshold.next_down().next_down(), 255),
+                code
+            );
+            assert_eq!(Rounding::Nearest.code(f64::from(code) / 255.0, 255), code);
+        }
+    }
+
+    #[test]
+    fn nothing_leaves_the_range() {
+        for rounding in [Rounding::Nearest, Rounding::Truncate] {
+            assert_eq!(rounding.code(-3.0, 255), 0);
+            assert_eq!(rounding.code(7.0, 255), 255);
+            assert_eq!(rounding.code(f64::INFINITY, 65_535), 65_535);
+            assert_eq!(rounding.code(f64::NAN, 255), 0);
+        }
+        assert_eq!(Rounding::Truncate.code(0.999, 255), 254);
+    }
+}

@@ -1,0 +1,21 @@
+//! The scene language as data: what a scene may say, what one says, and what is wrong with it.
+//!
+//! Two readers turn text into [`Node`]s, one builder turns nodes into a scene, and every part of a
+//! scene can [describe](Node::new) itself as a node again. So the same few types carry a scene in
+//! both directions, and [`Schema`] is the only place where words, types and defaults are written.
+
+mod node;
+mod problem;
+mod refusal;
+mod schema;
+mod source;
+mod suggest;
+mod value;
+
+pub use node::{Entry, Node};
+pub use problem::{Problem, Severity, render_problems};
+pub use refusal::Refusal;
+pub use schema::{Attribute, Default, Naming, Range, Reference, Schema, Takes};
+pub use source::{Location, Source, Sources};
+pub use suggest::did_you_mean;
+pub use value::Value;

@@ -1,0 +1,253 @@
+//! What a scene says: one node of it, read from a file or described by a part of a scene.
+
+use std::fmt;
+
+use glam::{DVec2, DVec3};
+
+use super::{Attribute, Location, Schema, Value};
+
+/// A node whose words and types agree with its [`Schema`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// What kind of node it is.
+    pub schema: &'static Schema,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// The value on its own line, if its kind has one.
+    pub value: Option<Value>,
+    /// The settings on its own line.
+    pub properties: Vec<Entry>,
+    /// The attributes between its braces.
+    pub attributes: Vec<Entry>,
+    /// Where its first line stands; `None` if it was not read from a file.
+    pub location: Option<Location>,
+    /// Whether all of it was understood; of a node that was not, only the name counts.
+    pub sound: bool,
+}
+
+/// One attribute or property that a node gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The attribute's word, type and default.
+    pub attribute: &'static Attribute,
+    /// Its value; `None` if it takes none.
+    pub value: Option<Value>,
+    /// The settings on its line.
+    pub properties: Vec<Entry>,
+    /// Where it stands.
+    pub location: Option<Location>,
+}
+
+impl Node {
+    /// A node of this kind that says nothing yet.
+    #[must_use]
+    pub fn new(schema: &'static Schema, name: Option<&str>) -> Self {
+        Self {
+            schema,
+            name: name.map(str::to_owned),
+            value: None,
+            properties: Vec::new(),
+            attributes: Vec::new(),
+            location: None,
+            sound: true,
+        }
+    }
+
+    /// The same node with a value on its own line.
+    #[must_use]
+    pub fn value(self, value: impl Into<Value>) -> Self {
+        Self {
+            value: Some(value.into()),
+            ..self
+        }
+    }
+
+    /// The same node with one more attribute.
+    ///
+    /// # Panics
+    /// If the node's schema does not know the word.
+    #[must_use]
+    pub fn with(self, word: &str, value: impl Into<Value>) -> Self {
+        self.with_entry(word, Some(value.into()), &[])
+    }
+
+    /// The same node with one more attribute and the settings on its line.
+    ///
+    /// # Panics
+    /// If the node's schema does not know a word.
+    #[must_use]
+    pub fn with_entry(
+        mut self,
+        word: &str,
+        value: Option<Value>,
+        properties: &[(&str, Value)],
+    ) -> Self {
+        let attribute = find(self.schema.all_attributes(), word);
+        let properties = properties
+            .iter()
+            .map(|(word, value)| Entry::new(find(attribute.properties, word), value.clone()))
+            .collect();
+        self.attributes.push(Entry {
+            attribute,
+            value,
+            properties,
+            location: None,
+        });
+        self
+    }
+
+    /// The same node with one more setting on its own line.
+    ///
+    /// # Panics
+    /// If the node's schema does not know the word.
+    #[must_use]
+    pub fn with_property(mut self, word: &str, value: impl Into<Value>) -> Self {
+        let attribute = find(self.schema.properties, word);
+        self.properties.push(Entry::new(attribute, value.into()));
+        self
+    }
+
+    /// The attribute with this word, if the node gives it.
+    #[must_use]
+    pub fn entry(&self, word: &str) -> Option<&Entry> {
+        self.attributes
+            .iter()
+            .find(|entry| entry.attribute.word == word)
+    }
+
+    /// The attribute's value, or its default; `None` if there is neither.
+    #[must_use]
+    pub fn get(&self, word: &str) -> Option<Value> {
+        value_or_default(&self.attributes, find(self.schema.all_attributes(), word))
+    }
+
+    /// The value of a setting on the node's own line, or its default.
+    #[must_use]
+    pub fn property(&self, word: &str) -> Option<Value> {
+        value_or_default(&self.properties, find(self.schema.properties, word))
+    }
+
+    /// An attribute of three numbers; zero if it is neither given nor has a default.
+    #[must_use]
+    pub fn triple(&self, word: &str) -> DVec3 {
+        self.get(word).map_or(DVec3::ZERO, |value| value.triple())
+    }
+
+    /// An attribute of two numbers; zero if it is neither given nor has a default.
+    #[must_use]
+    pub fn pair(&self, word: &str) -> DVec2 {
+        self.get(word).map_or(DVec2::ZERO, |value| value.pair())
+    }
+
+    /// An attribute of one number; zero if it is neither given nor has a default.
+    #[must_use]
+    pub fn number(&self, word: &str) -> f64 {
+        self.get(word).map_or(0.0, |value| value.number())
+    }
+
+    /// An attribute that is a word, a name or a path; empty if neither given nor with a default.
+    #[must_use]
+    pub fn text(&self, word: &str) -> String {
+        self.get(word)
+            .map_or(String::new(), |value| value.text().to_owned())
+    }
+
+    /// Where to point for an attribute: at it, or at the node if the attribute is not given.
+    #[must_use]
+    pub fn place(&self, word: &str) -> Option<Location> {
+        let properties = self
+            .properties
+            .iter()
+            .find(|entry| entry.attribute.word == word);
+        let entry = self.entry(word).or(properties);
+        entry.and_then(|entry| entry.location).or(self.location)
+    }
+
+    /// The node without what its schema gives as default anyway.
+    #[must_use]
+    pub fn without_defaults(mut self) -> Self {
+        self.properties.retain(|entry| !entry.is_default());
+        for entry in &mut self.attributes {
+            entry.properties.retain(|property| !property.is_default());
+        }
+        self.attributes.retain(|entry| {
+            !(entry.properties.is_empty() && (entry.is_default() || entry.value.is_none()))
+        });
+        self
+    }
+}
+
+impl Entry {
+    fn new(attribute: &'static Attribute, value: Value) -> Self {
+        Self {
+            attribute,
+            value: Some(value),
+            properties: Vec::new(),
+            location: None,
+        }
+    }
+
+    /// The value of a setting on the attribute's line, or its default.
+    #[must_use]
+    pub fn property(&self, word: &str) -> Option<Value> {
+        value_or_default(&self.properties, find(self.attribute.properties, word))
+    }
+
+    fn is_default(&self) -> bool {
+        self.value.is_some() && self.value == self.attribute.default.value()
+    }
+}
+
+fn find(
+    attributes: impl IntoIterator<Item = &'static Attribute>,
+    word: &str,
+) -> &'static Attribute {
+    let mut attributes = attributes.into_iter();
+    let found = attributes.find(|attribute| attribute.word == word);
+    found.unwrap_or_else(|| unreachable!("the schema has no word {word:?}"))
+}
+
+fn value_or_default(entries: &[Entry], attribute: &'static Attribute) -> Option<Value> {
+    let given = entries
+        .iter()
+        .find(|entry| entry.attribute.word == attribute.word);
+    given
+        .and_then(|entry| entry.value.clone())
+        .or_else(|| attribute.default.value())
+}
+
+impl fmt::Display for Node {
+    /// Writes the node as KDL 2.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.schema.word)?;
+        if let Some(name) = &self.name {
+            write!(out, " {}", Value::from(name.as_str()))?;
+        }
+        if let Some(value) = &self.value {
+            write!(out, " {value}")?;
+        }
+        write_properties(out, &self.properties)?;
+        if !self.attributes.is_empty() {
+            out.write_str(" {\n")?;
+            for entry in &self.attributes {
+                write!(out, "    {}", entry.attribute.word)?;
+                if let Some(value) = &entry.value {
+                    write!(out, " {value}")?;
+                }
+                write_properties(out, &entry.properties)?;
+                out.write_str("\n")?;
+            }
+            out.write_str("}")?;
+        }
+        out.write_str("\n")
+    }
+}
+
+fn write_properties(out: &mut fmt::Formatter<'_>, properties: &[Entry]) -> fmt::Result {
+    for property in properties {
+        if let Some(value) = &property.value {
+            write!(out, " {}={value}", property.attribute.word)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,163 @@
+//! What is wrong with a scene, said so that the user can mend it.
+
+use std::fmt;
+use std::sync::Arc;
+
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
+};
+
+use super::{Location, Sources};
+
+/// How bad a problem is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The scene can be rendered, but probably not as meant.
+    Warning,
+    /// The scene cannot be rendered.
+    Error,
+}
+
+/// One mistake in a scene file: what, where, and what to do.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+    /// Where, and what was expected there.
+    pub place: Option<(Location, String)>,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl Problem {
+    /// An error at a place; `label` says what was expected there.
+    pub fn error(at: Location, message: impl Into<String>, label: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            message: message.into(),
+            place: Some((at, label.into())),
+            help: None,
+        }
+    }
+
+    /// A warning at a place.
+    pub fn warning(at: Location, message: impl Into<String>, label: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(at, message, label)
+        }
+    }
+
+    /// The same problem with advice.
+    #[must_use]
+    pub fn help(self, help: impl Into<String>) -> Self {
+        Self {
+            help: Some(help.into()),
+            ..self
+        }
+    }
+
+    /// The same problem with "did you mean …?" if there is a suggestion.
+    #[must_use]
+    pub fn suggest(self, suggestion: Option<&str>) -> Self {
+        match suggestion {
+            Some(word) => self.help(format!("did you mean {word:?}?")),
+            None => self,
+        }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.message)
+    }
+}
+
+/// The problems as a person reads them: file, line, caret, what was expected, what to do.
+///
+/// `color` is for terminals; `width` is the number of columns that prose is wrapped to.
+#[must_use]
+pub fn render_problems(
+    problems: &[Problem],
+    sources: &Sources,
+    color: bool,
+    width: usize,
+) -> String {
+    let theme = if color {
+        GraphicalTheme::unicode()
+    } else {
+        GraphicalTheme::unicode_nocolor()
+    };
+    let handler = GraphicalReportHandler::new_themed(theme)
+        .with_width(width)
+        .with_links(false);
+    let mut text = String::new();
+    for problem in problems {
+        let report = Report::new(problem, sources);
+        // Writing to a String cannot fail.
+        let _ = handler.render_report(&mut text, &report);
+        text.push('\n');
+    }
+    text
+}
+
+/// A problem joined with the text it is about, as `miette` wants it.
+#[derive(Debug)]
+struct Report<'a> {
+    problem: &'a Problem,
+    source: Option<NamedSource<Arc<str>>>,
+    help: Option<String>,
+}
+
+impl<'a> Report<'a> {
+    fn new(problem: &'a Problem, sources: &Sources) -> Self {
+        let mut help: Vec<String> = problem.help.iter().cloned().collect();
+        let source = problem.place.as_ref().map(|(at, _)| {
+            for including in sources.include_chain(*at) {
+                help.push(format!("included at {}", sources.position(including)));
+            }
+            let source = sources.get(at.source);
+            NamedSource::new(&source.name, Arc::clone(&source.text))
+        });
+        Self {
+            problem,
+            source,
+            help: (!help.is_empty()).then(|| help.join("\n")),
+        }
+    }
+}
+
+impl fmt::Display for Report<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.problem.fmt(out)
+    }
+}
+
+impl std::error::Error for Report<'_> {}
+
+impl Diagnostic for Report<'_> {
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(match self.problem.severity {
+            Severity::Warning => miette::Severity::Warning,
+            Severity::Error => miette::Severity::Error,
+        })
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help
+            .as_ref()
+            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|source| source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let (at, label) = self.problem.place.as_ref()?;
+        let span = LabeledSpan::new(Some(label.clone()), at.start, at.length);
+        Some(Box::new(std::iter::once(span)))
+    }
+}

@@ -1,0 +1,35 @@
+//! Why a part of a scene cannot exist.
+
+use std::fmt;
+
+/// What a constructor says when its arguments make no sense together.
+///
+/// It names the attribute at fault, so that a reader can point at it in the scene file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// The word of the attribute at fault.
+    pub word: &'static str,
+    /// What is wrong, as a sentence without a full stop.
+    pub reason: String,
+    /// What to do about it.
+    pub advice: String,
+}
+
+impl Refusal {
+    /// A refusal of the attribute `word`.
+    pub fn new(word: &'static str, reason: impl Into<String>, advice: impl Into<String>) -> Self {
+        Self {
+            word,
+            reason: reason.into(),
+            advice: advice.into(),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}: {}", self.word, self.reason)
+    }
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,248 @@
+//! What a scene may say: the words, types, units and defaults of the scene language, as data.
+//!
+//! The readers check against it, `docs/scene-language.md` is compared with it, and `convert` leaves
+//! out what it gives as default.
+
+use super::Value;
+
+/// One kind of node: `plane`, `material`, `camera` …
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schema {
+    /// The node's word in the scene file.
+    pub word: &'static str,
+    /// What it is, in one sentence.
+    pub about: &'static str,
+    /// Whether the node carries a name as its first argument.
+    pub naming: Naming,
+    /// What follows the word (and the name) on the same line, if anything.
+    pub value: Option<&'static Attribute>,
+    /// `key=value` settings on the node's own line.
+    pub properties: &'static [Attribute],
+    /// The attributes between the braces, in groups that several kinds may share.
+    pub attributes: &'static [&'static [Attribute]],
+}
+
+impl Schema {
+    /// Every attribute that may stand between the braces.
+    pub fn all_attributes(&self) -> impl Iterator<Item = &'static Attribute> {
+        self.attributes.iter().copied().flatten()
+    }
+}
+
+/// One attribute of a node, or one property on a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attribute {
+    /// The attribute's word.
+    pub word: &'static str,
+    /// The type and number of its values.
+    pub takes: Takes,
+    /// The unit of its values; empty where there is none.
+    pub unit: &'static str,
+    /// What holds when the scene does not say it.
+    pub default: Default,
+    /// `key=value` settings on the attribute's line.
+    pub properties: &'static [Attribute],
+    /// What it means, in one sentence.
+    pub about: &'static str,
+}
+
+/// Whether a node has a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Naming {
+    /// It has none: `image`, `camera`.
+    None,
+    /// It may have one: surfaces and lights.
+    Optional,
+    /// It needs one, because others refer to it: materials and textures.
+    Required,
+}
+
+/// What holds when an attribute is left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Default {
+    /// It may not be left out.
+    Required,
+    /// Nothing: the effect it stands for is absent.
+    Absent,
+    /// This number.
+    Number(f64),
+    /// These three numbers.
+    Triple([f64; 3]),
+    /// This word.
+    Word(&'static str),
+    /// This answer.
+    Flag(bool),
+}
+
+impl Default {
+    /// The value that holds, if there is one.
+    #[must_use]
+    pub fn value(self) -> Option<Value> {
+        match self {
+            Self::Required | Self::Absent => None,
+            Self::Number(number) => Some(Value::Number(number)),
+            Self::Triple(triple) => Some(Value::Triple(triple)),
+            Self::Word(word) => Some(Value::from(word)),
+            Self::Flag(flag) => Some(Value::Flag(flag)),
+        }
+    }
+}
+
+/// The type of an attribute's value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Takes {
+    /// Nothing: the attribute has properties only.
+    Nothing,
+    /// One number.
+    Number(Range),
+    /// Two numbers.
+    Pair(Range),
+    /// Three finite numbers.
+    Triple,
+    /// Three numbers, or one that stands for three equal ones.
+    Color,
+    /// A number or a pair written in quotes, `"0.02 0.01"`.
+    NumberOrPair(Range),
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// The name of a node of this kind.
+    Name(Reference),
+    /// A file, relative to the scene file.
+    Path,
+    /// `#true` or `#false`.
+    Flag,
+}
+
+/// What a name refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// A `material`.
+    Material,
+    /// A `texture`.
+    Texture,
+}
+
+impl Reference {
+    /// The word of the node that is meant.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Material => "material",
+            Self::Texture => "texture",
+        }
+    }
+}
+
+/// The numbers that an attribute accepts; infinities and not-a-number are always refused.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Range {
+    /// Any finite number.
+    Any,
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NotNegative,
+    /// Between two bounds, both allowed.
+    Between(f64, f64),
+    /// Between two bounds, neither allowed.
+    Inside(f64, f64),
+    /// A whole number between two bounds, both allowed.
+    Whole(u32, u32),
+}
+
+impl Range {
+    /// Whether a number lies in the range.
+    #[must_use]
+    pub fn contains(self, number: f64) -> bool {
+        number.is_finite()
+            && match self {
+                Self::Any => true,
+                Self::Positive => number > 0.0,
+                Self::NotNegative => number >= 0.0,
+                Self::Between(low, high) => (low..=high).contains(&number),
+                Self::Inside(low, high) => low < number && number < high,
+                Self::Whole(low, high) => {
+                    number.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&number)
+                }
+            }
+    }
+
+    /// The range in words, after "a number" or "numbers": `above 0`.
+    #[must_use]
+    pub fn words(self) -> String {
+        match self {
+            Self::Any => String::new(),
+            Self::Positive => " above 0".to_owned(),
+            Self::NotNegative => " of 0 or more".to_owned(),
+            Self::Between(low, high) => format!(" from {low} to {high}"),
+            Self::Inside(low, high) => format!(" between {low} and {high}"),
+            Self::Whole(low, high) => format!(", whole, from {low} to {high}"),
+        }
+    }
+}
+
+impl Takes {
+    /// What is expected, in words: `three numbers`, `one of "clamp", "repeat"`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            Self::Nothing => "nothing".to_owned(),
+            Self::Number(range) => format!("a number{}", range.words()),
+            Self::Pair(range) => format!("two numbers{}", range.words()),
+            Self::Triple => "three numbers".to_owned(),
+            Self::Color => "one or three numbers".to_owned(),
+            Self::NumberOrPair(range) => {
+                format!("a number{}, or two of them in quotes", range.words())
+            }
+            Self::Word(words) => {
+                let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+                quoted.join(" or ")
+            }
+            Self::Name(reference) => format!("the name of a {}", reference.word()),
+            Self::Path => "a file name in quotes".to_owned(),
+            Self::Flag => "#true or #false".to_owned(),
+        }
+    }
+}
+
+impl Attribute {
+    /// An attribute without unit, default or properties; a start for the `const` tables.
+    #[must_use]
+    pub const fn new(word: &'static str, takes: Takes, about: &'static str) -> Self {
+        Self {
+            word,
+            takes,
+            unit: "",
+            default: Default::Required,
+            properties: &[],
+            about,
+        }
+    }
+
+    /// The same attribute in this unit.
+    #[must_use]
+    pub const fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The same attribute with this default.
+    #[must_use]
+    pub const fn or(self, default: Default) -> Self {
+        Self { default, ..self }
+    }
+
+    /// The same attribute, which may be left out.
+    #[must_use]
+    pub const fn optional(self) -> Self {
+        Self {
+            default: Default::Absent,
+            ..self
+        }
+    }
+
+    /// The same attribute with properties on its line.
+    #[must_use]
+    pub const fn with(self, properties: &'static [Self]) -> Self {
+        Self { properties, ..self }
+    }
+}

@@ -1,0 +1,84 @@
+//! Where in the scene's text a thing stands.
+
+use std::sync::Arc;
+
+/// A stretch of one source text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Location {
+    /// Index of the text in its [`Sources`].
+    pub source: usize,
+    /// First byte.
+    pub start: usize,
+    /// Length in bytes.
+    pub length: usize,
+}
+
+/// One scene file, or an included one.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// The file as the user would name it.
+    pub name: String,
+    /// Its text.
+    pub text: Arc<str>,
+    /// Where it was included, if it was.
+    pub included_at: Option<Location>,
+}
+
+/// All the texts that a scene was read from; the first is the scene file itself.
+#[derive(Debug, Clone, std::default::Default)]
+pub struct Sources(Vec<Source>);
+
+impl Sources {
+    /// Adds a text and gives its index.
+    pub fn add(&mut self, source: Source) -> usize {
+        self.0.push(source);
+        self.0.len() - 1
+    }
+
+    /// The text with this index.
+    #[must_use]
+    pub fn get(&self, index: usize) -> &Source {
+        &self.0[index]
+    }
+
+    /// How many texts there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is no text.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// `file:line:column` of a location's first byte, counted from 1, columns in characters.
+    #[must_use]
+    pub fn position(&self, location: Location) -> String {
+        let source = self.get(location.source);
+        let (line, column) = source.line_and_column(location.start);
+        format!("{}:{line}:{column}", source.name)
+    }
+
+    /// The places that include the text of a location, innermost first.
+    #[must_use]
+    pub fn include_chain(&self, location: Location) -> Vec<Location> {
+        std::iter::successors(self.get(location.source).included_at, |at| {
+            self.get(at.source).included_at
+        })
+        .collect()
+    }
+}
+
+impl Source {
+    /// Line and column of a byte, counted from 1, columns in characters.
+    #[must_use]
+    pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
+        let end = self.text.floor_char_boundary(byte);
+        let before = &self.text[..end];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let line = before.matches('\n').count() + 1;
+        (line, before[line_start..].chars().count() + 1)
+    }
+}

@@ -1,0 +1,14 @@
+//! Heliodon, a batch ray tracer for planes, textured planes and a few round things.
+
+pub mod accel;
+pub mod camera;
+pub mod film;
+pub mod language;
+pub mod light;
+pub mod material;
+pub mod math;
+pub mod read;
+pub mod render;
+pub mod scene;
+pub mod surface;
+pub mod texture;

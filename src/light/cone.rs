@@ -1,0 +1,70 @@
+//! The cone of a spotlight.
+
+use glam::DVec3;
+
+use super::{ATTRIBUTES, Light};
+use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::math::unit;
+
+/// A cone of light with a hard edge and no fall-off across it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cone {
+    point: DVec3,
+    theta: f64,
+    axis: DVec3,
+    cosine: f64,
+}
+
+impl Cone {
+    /// The `spotlight` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "spotlight",
+        about: "A light that shines into a cone.",
+        attributes: &[
+            ATTRIBUTES,
+            &[
+                Attribute::new("point", Takes::Triple, "a point on the axis of the cone")
+                    .unit("world units"),
+                Attribute::new(
+                    "theta",
+                    Takes::Number(Range::Inside(0.0, 180.0)),
+                    "angle between the axis and the edge of the cone",
+                )
+                .unit("degrees"),
+            ],
+        ],
+        naming: Naming::Optional,
+        ..Light::SCHEMA
+    };
+
+    /// The cone from a location towards a point, with this half-angle in degrees.
+    ///
+    /// # Errors
+    /// Refuses a light that points at itself.
+    pub fn new(location: DVec3, point: DVec3, theta: f64) -> Result<Self, Refusal> {
+        let axis = unit(point - location).ok_or_else(|| {
+            Refusal::new(
+                "point",
+                "the spotlight points at its own location",
+                "give `point` another place, in the middle of what is to be lit",
+            )
+        })?;
+        Ok(Self {
+            point,
+            theta,
+            axis,
+            cosine: libm::cos(theta.to_radians()),
+        })
+    }
+
+    /// Whether a unit direction from the light lies inside.
+    #[must_use]
+    pub fn contains(&self, direction: DVec3) -> bool {
+        self.axis.dot(direction) > self.cosine
+    }
+
+    /// Adds the cone's attributes to a light's node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("point", self.point).with("theta", self.theta)
+    }
+}

@@ -1,0 +1,3 @@
+//! The `heliodon` program.
+
+fn main() {}

@@ -1,0 +1,46 @@
+//! Boxes along the axes.
+
+use glam::DVec3;
+
+/// The smallest box along the axes that holds a bounded surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Its lowest corner.
+    pub min: DVec3,
+    /// Its highest corner.
+    pub max: DVec3,
+}
+
+impl Bounds {
+    /// The box around some points.
+    #[must_use]
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let nothing = Self {
+            min: DVec3::MAX,
+            max: DVec3::MIN,
+        };
+        points.into_iter().fold(nothing, |bounds, point| Self {
+            min: bounds.min.min(point),
+            max: bounds.max.max(point),
+        })
+    }
+
+    /// The eight corners.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|index| {
+            let pick = |bit: usize, low: f64, high: f64| if index & bit == 0 { low } else { high };
+            DVec3::new(
+                pick(1, self.min.x, self.max.x),
+                pick(2, self.min.y, self.max.y),
+                pick(4, self.min.z, self.max.z),
+            )
+        })
+    }
+
+    /// The size of what two boxes share along each axis; negative where they are apart.
+    #[must_use]
+    pub fn overlap(&self, other: &Self) -> DVec3 {
+        self.max.min(other.max) - self.min.max(other.min)
+    }
+}

@@ -1,0 +1,162 @@
+//! Points, rays, and the stretch of a ray that counts.
+
+use glam::DVec3;
+
+use super::vector::direction;
+
+/// A point as an exact anchor and a small offset from it.
+///
+/// The anchor is a number of the scene file (the eye, the corner of a plane, the centre of a
+/// sphere), so differences between anchors are exact or nearly so, and a scene far from the
+/// origin is computed like the same scene at the origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// A point given in the scene.
+    pub anchor: DVec3,
+    /// From the anchor to the point.
+    pub offset: DVec3,
+}
+
+impl Point {
+    /// A point given in the scene.
+    #[must_use]
+    pub const fn exact(anchor: DVec3) -> Self {
+        Self {
+            anchor,
+            offset: DVec3::ZERO,
+        }
+    }
+
+    /// The vector from a scene point to this one.
+    #[must_use]
+    pub fn from(&self, other: DVec3) -> DVec3 {
+        (self.anchor - other) + self.offset
+    }
+
+    /// The point in world coordinates, rounded.
+    #[must_use]
+    pub fn world(&self) -> DVec3 {
+        self.anchor + self.offset
+    }
+}
+
+/// The plane, sphere or other surface sheet that a hit lies on. Coplanar surfaces share one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Support(pub u32);
+
+/// A half-line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: Point,
+    /// Where it goes; of unit length, so that `t` is a distance.
+    pub dir: DVec3,
+    /// The surface sheet it leaves, which it cannot meet again: a line meets a plane once.
+    pub leaves: Option<Support>,
+}
+
+impl Ray {
+    /// A ray that starts in free space.
+    #[must_use]
+    pub fn new(origin: Point, dir: DVec3) -> Self {
+        Self::leaving(None, origin, dir)
+    }
+
+    /// A ray that starts on a surface sheet.
+    #[must_use]
+    pub fn leaving(leaves: Option<Support>, origin: Point, dir: DVec3) -> Self {
+        debug_assert!(
+            (dir.length_squared() - 1.0).abs() < 16.0 * f64::EPSILON,
+            "{dir} is not unit"
+        );
+        Self {
+            origin,
+            dir,
+            leaves,
+        }
+    }
+
+    /// The point at distance `t`.
+    #[must_use]
+    pub fn at(&self, t: f64) -> Point {
+        Point {
+            anchor: self.origin.anchor,
+            offset: self.origin.offset + self.dir * t,
+        }
+    }
+
+    /// The direction of the mirrored ray at a surface with this unit normal, from either side.
+    #[must_use]
+    pub fn mirrored(&self, normal: DVec3) -> DVec3 {
+        direction(self.dir - normal * (2.0 * self.dir.dot(normal)))
+    }
+}
+
+/// The distances along a ray that count: open at zero, closed at the given bounds.
+///
+/// Comparisons are written so that not-a-number lies outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    min: f64,
+    max: f64,
+}
+
+impl Span {
+    /// Everything ahead of the origin.
+    pub const AHEAD: Self = Self {
+        min: 0.0,
+        max: f64::MAX,
+    };
+
+    /// Whether a hit at distance `t` counts.
+    #[must_use]
+    pub fn contains(self, t: f64) -> bool {
+        t > 0.0 && t >= self.min && t <= self.max
+    }
+
+    /// The part up to distance `t`.
+    #[must_use]
+    pub fn until(self, t: f64) -> Self {
+        Self {
+            max: self.max.min(t),
+            ..self
+        }
+    }
+
+    /// The part from distance `t` on.
+    #[must_use]
+    pub fn since(self, t: f64) -> Self {
+        Self {
+            min: self.min.max(t),
+            ..self
+        }
+    }
+
+    /// Whether nothing counts.
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.min > self.max || self.max <= 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_excludes_its_origin_and_nonsense() {
+        let span = Span::AHEAD.until(2.0).since(1.0);
+        assert!(span.contains(1.0) && span.contains(2.0));
+        assert!(!span.contains(0.5) && !span.contains(f64::NAN) && !span.contains(f64::INFINITY));
+        assert!(!Span::AHEAD.contains(0.0) && Span::AHEAD.contains(5e-324));
+    }
+
+    #[test]
+    fn a_far_scene_is_computed_like_a_near_one() {
+        let far = Point {
+            anchor: DVec3::splat(1e9),
+            offset: DVec3::new(0.1, 0.2, 0.3),
+        };
+        assert_eq!(far.from(DVec3::splat(1e9 - 1.0)), DVec3::new(1.1, 1.2, 1.3));
+    }
+}

@@ -1,0 +1,57 @@
+//! Directions of any length made unit, without overflow or underflow on the way.
+
+use glam::DVec3;
+
+/// The unit vector along `vector`; `None` if it is zero or not finite.
+///
+/// The lengths from 1e-300 to 1e300 are all good: outside the middle of the range the vector is
+/// first scaled by a power of two, which is exact.
+#[must_use]
+pub fn unit(vector: DVec3) -> Option<DVec3> {
+    let largest = vector.abs().max_element();
+    if !(vector.is_finite() && largest > 0.0) {
+        return None;
+    }
+    let middle = 2f64.powi(-400)..2f64.powi(400);
+    let scaled = if middle.contains(&largest) {
+        vector
+    } else if largest < 1.0 {
+        vector * 2f64.powi(600)
+    } else {
+        vector * 2f64.powi(-600)
+    };
+    Some(direction(scaled))
+}
+
+/// The unit vector along a vector that is known to be neither zero nor extreme.
+///
+/// Divides instead of multiplying by a reciprocal, which saves one rounding.
+#[must_use]
+pub fn direction(vector: DVec3) -> DVec3 {
+    vector / vector.length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_length_gives_a_unit_vector() {
+        for exponent in -300..=300 {
+            let length = 10f64.powi(exponent);
+            let vector = unit(DVec3::new(3.0, -4.0, 12.0) * length).expect("not zero");
+            assert!(
+                (vector.length_squared() - 1.0).abs() <= 4.0 * f64::EPSILON,
+                "{exponent}"
+            );
+        }
+        assert_eq!(unit(DVec3::new(0.0, 5e-324, 0.0)), Some(DVec3::Y));
+    }
+
+    #[test]
+    fn zero_and_the_infinite_have_no_direction() {
+        assert_eq!(unit(DVec3::ZERO), None);
+        assert_eq!(unit(DVec3::new(f64::INFINITY, 0.0, 0.0)), None);
+        assert_eq!(unit(DVec3::new(f64::NAN, 1.0, 0.0)), None);
+    }
+}

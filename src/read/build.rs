@@ -1,0 +1,235 @@
+//! Nodes to scene: names resolved, everything made, all refusals collected.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use super::{Files, Options, names::Names, names::refuse_duplicates, surfaces, textures};
+use crate::camera::View;
+use crate::language::{Location, Node, Problem, Reference, Refusal, Schema, Sources, Takes};
+use crate::light::{Beam, Cone, Light, Slide};
+use crate::material::Material;
+use crate::math::{Rectangle, Rgb};
+use crate::scene::{Lighting, Picture, Scene};
+use crate::surface::{SCHEMAS, Surface};
+use crate::texture::Texture;
+
+/// What surfaces and projectors refer to while a scene is built.
+#[derive(Debug)]
+pub(super) struct Parts {
+    pub(super) textures: Names<Texture>,
+    pub(super) materials: Names<Material>,
+    /// The world size of a pixel of the chapter's screen, if the camera has one.
+    pub(super) pixel_size: Option<glam::DVec2>,
+}
+
+/// Builds a scene from its nodes.
+///
+/// Problems are added to the list; a scene that has any errors is not to be rendered.
+///
+/// # Errors
+/// Gives back the sources if there is no camera or picture to build a scene around.
+pub(super) fn scene(
+    nodes: &[Node],
+    options: &Options,
+    files: Files,
+    problems: &mut Vec<Problem>,
+) -> Result<Scene, Sources> {
+    let position = |at: Location| files.sources().position(at);
+    refuse_duplicates(of(nodes, &Texture::SCHEMA), problems, position);
+    refuse_duplicates(of(nodes, &Material::SCHEMA), problems, position);
+    refuse_duplicates(
+        nodes.iter().filter(|node| is_light(node)),
+        problems,
+        position,
+    );
+    refuse_duplicates(
+        nodes.iter().filter(|node| is_surface(node)),
+        problems,
+        position,
+    );
+
+    let picture = only(nodes, &Picture::SCHEMA, &files, problems).map(Picture::from_node);
+    let view = only(nodes, &View::SCHEMA, &files, problems).and_then(|node| {
+        View::from_node(node)
+            .map_err(|no| refused(node, no, problems))
+            .ok()
+    });
+    let lighting = at_most_one(nodes, &Lighting::SCHEMA, &files, problems);
+    let lighting = lighting.filter(|node| node.sound);
+    let picture = picture.map(|picture| Picture {
+        width: options.size.map_or(picture.width, |[width, _]| width),
+        height: options.size.map_or(picture.height, |[_, height]| height),
+        samples: options.samples.unwrap_or(picture.samples),
+        ..picture
+    });
+
+    let mut materials = Vec::new();
+    let mut parts = Parts {
+        textures: Names::new(Reference::Texture.word()),
+        materials: Names::new(Reference::Material.word()),
+        pixel_size: None,
+    };
+    if let (Some(view), Some(picture)) = (&view, picture) {
+        parts.pixel_size = view.pixel_size(picture.width, picture.height);
+    }
+    for node in of(nodes, &Material::SCHEMA) {
+        let name = node.name.as_deref().unwrap_or_default();
+        let material = node.sound.then(|| Arc::new(material(name, node)));
+        parts.materials.insert(name, material.clone());
+        materials.extend(material);
+    }
+    let used = used_textures(nodes);
+    let textures = textures::load(of(nodes, &Texture::SCHEMA), &used, &files, problems);
+    for (name, texture) in &textures {
+        parts.textures.insert(name, texture.clone());
+    }
+
+    let lights = nodes.iter().filter(|node| node.sound && is_light(node));
+    let lights: Vec<_> = lights
+        .filter_map(|node| light(node, &parts, problems))
+        .collect();
+    let surfaces = nodes.iter().filter(|node| node.sound && is_surface(node));
+    let surfaces: Vec<Box<dyn Surface>> = surfaces
+        .filter_map(|node| surfaces::surface(node, &parts, problems))
+        .collect();
+
+    let sources = files.into_sources();
+    match (picture, view) {
+        (Some(picture), Some(view)) => Ok(Scene {
+            picture,
+            view,
+            lighting: lighting.map_or_else(Lighting::default, Lighting::from_node),
+            textures: textures
+                .into_iter()
+                .filter_map(|(_, texture)| texture)
+                .collect(),
+            materials,
+            lights,
+            surfaces,
+            sources,
+        }),
+        _ => Err(sources),
+    }
+}
+
+fn of<'a>(nodes: &'a [Node], schema: &'static Schema) -> impl Iterator<Item = &'a Node> {
+    nodes.iter().filter(move |node| node.schema == schema)
+}
+
+fn is_light(node: &Node) -> bool {
+    [&Light::SCHEMA, &Cone::SCHEMA, &Slide::SCHEMA].contains(&node.schema)
+}
+
+fn is_surface(node: &Node) -> bool {
+    SCHEMAS.contains(&node.schema)
+}
+
+/// The one node of a kind that every scene needs.
+fn only<'a>(
+    nodes: &'a [Node],
+    schema: &'static Schema,
+    files: &Files,
+    problems: &mut Vec<Problem>,
+) -> Option<&'a Node> {
+    let node = at_most_one(nodes, schema, files, problems);
+    if node.is_none() {
+        let word = schema.word;
+        let at = Location {
+            source: 0,
+            start: 0,
+            length: 0,
+        };
+        let problem = Problem::error(at, format!("the scene has no `{word}`"), "expected one");
+        let example = match word {
+            "image" => "image 800 600",
+            _ => "camera { viewpoint 4 3 8; screen 8 6 }",
+        };
+        problems.push(problem.help(format!("add, for example, `{example}`")));
+    }
+    node.filter(|node| node.sound)
+}
+
+/// The node of a kind that a scene may have once.
+fn at_most_one<'a>(
+    nodes: &'a [Node],
+    schema: &'static Schema,
+    files: &Files,
+    problems: &mut Vec<Problem>,
+) -> Option<&'a Node> {
+    let mut all = of(nodes, schema);
+    let first = all.next()?;
+    for second in all {
+        if let (Some(at), Some(earlier)) = (second.location, first.location) {
+            let message = format!("the scene has two `{}` nodes", schema.word);
+            let label = format!("the first is at {}", files.sources().position(earlier));
+            problems.push(Problem::error(at, message, label).help("keep one of them"));
+        }
+    }
+    Some(first)
+}
+
+fn material(name: &str, node: &Node) -> Material {
+    Material {
+        name: name.to_owned(),
+        ambient: node.triple("ambient").into(),
+        diffuse: node.triple("diffuse").into(),
+        specular: node.triple("specular").into(),
+        shininess: node.number("shininess"),
+        transparency: node.number("transparency"),
+    }
+}
+
+/// The names that appear where a texture is meant.
+fn used_textures(nodes: &[Node]) -> HashSet<String> {
+    let entries = nodes.iter().flat_map(|node| &node.attributes);
+    let textures = entries.filter(|entry| entry.attribute.takes == Takes::Name(Reference::Texture));
+    textures
+        .filter_map(|entry| Some(entry.value.as_ref()?.text().to_owned()))
+        .collect()
+}
+
+fn light(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Light> {
+    let location = node.triple("location");
+    let beam = if node.schema == &Cone::SCHEMA {
+        let cone = Cone::new(location, node.triple("point"), node.number("theta"));
+        cone.map(Beam::Cone)
+            .map_err(|refusal| refused(node, refusal, problems))
+            .ok()
+    } else if node.schema == &Slide::SCHEMA {
+        slide(node, parts, problems).map(|slide| Beam::Slide(Box::new(slide)))
+    } else {
+        Some(Beam::Everywhere)
+    };
+    let emissivity = Rgb::from(node.triple("emissivity"));
+    Some(Light {
+        name: node.name.clone(),
+        location,
+        emissivity,
+        beam: beam?,
+        place: node.location,
+    })
+}
+
+fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slide> {
+    let (normal, xdir) = (node.triple("normal"), node.triple("xdir"));
+    let rectangle = Rectangle::new(node.triple("point"), normal, xdir, node.pair("dimensions"))
+        .map_err(|refusal| refused(node, refusal, problems))
+        .ok();
+    let image = textures::map(node, parts, problems);
+    let (image, texel_given) = image?;
+    Some(Slide {
+        rectangle: rectangle?,
+        image,
+        texel_given,
+        given_normal: normal,
+        given_xdir: xdir,
+    })
+}
+
+/// Turns a refusal into an error at the attribute that it blames.
+pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
+    let label = format!("in this `{}`", node.schema.word);
+    if let Some(at) = node.place(refusal.word) {
+        problems.push(Problem::error(at, refusal.reason, label).help(refusal.advice));
+    }
+}

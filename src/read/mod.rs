@@ -1,0 +1,180 @@
+//! Text to scene: two languages, one builder.
+
+mod build;
+mod check;
+mod course;
+mod files;
+mod kdl;
+mod names;
+mod nesting;
+mod surfaces;
+mod textures;
+
+use std::path::{Path, PathBuf};
+
+use crate::language::{Problem, Severity, Source, Sources};
+use crate::scene::Scene;
+
+pub use files::Files;
+
+/// The most errors that are reported for one scene.
+pub const MOST_ERRORS: usize = 20;
+
+/// What the reader is told beside the text.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The language; recognised by content if not given.
+    pub language: Option<Language>,
+    /// A picture size that replaces the scene's.
+    pub size: Option<[u32; 2]>,
+    /// A number of samples that replaces the scene's.
+    pub samples: Option<u32>,
+}
+
+/// The languages that scenes are written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Language {
+    /// KDL 2 in the chapter's words.
+    Kdl,
+    /// The course's old block grammar.
+    Course,
+}
+
+/// A scene, and what is odd about its text.
+#[derive(Debug)]
+pub struct Reading {
+    /// The scene.
+    pub scene: Scene,
+    /// The language it was written in.
+    pub language: Language,
+    /// What is odd but can be rendered.
+    pub warnings: Vec<Problem>,
+}
+
+/// Why a text is not a scene.
+#[derive(Debug)]
+pub struct Rejection {
+    /// The errors, at most [`MOST_ERRORS`], and the warnings.
+    pub problems: Vec<Problem>,
+    /// The texts that they point into.
+    pub sources: Sources,
+}
+
+/// Reads a scene file.
+///
+/// # Errors
+/// The file system's error if the file cannot be read; a [`Rejection`] if it is not a scene.
+pub fn read_file(path: &Path, options: &Options) -> std::io::Result<Result<Reading, Rejection>> {
+    let bytes = std::fs::read(path)?;
+    let directory = path.parent().map(Path::to_owned).unwrap_or_default();
+    Ok(read_bytes(
+        &path.display().to_string(),
+        bytes,
+        directory,
+        options,
+    ))
+}
+
+/// Reads a scene from bytes; `name` is what messages call it, `directory` is where the files that
+/// it names are looked for.
+///
+/// # Errors
+/// All that is wrong with the text.
+pub fn read_bytes(
+    name: &str,
+    bytes: Vec<u8>,
+    directory: PathBuf,
+    options: &Options,
+) -> Result<Reading, Rejection> {
+    let mut problems = Vec::new();
+    let mut files = Files::default();
+    let text = files::text_of(bytes);
+    let language = options
+        .language
+        .unwrap_or_else(|| Language::of(text.as_deref().unwrap_or("")));
+    let directories = match language {
+        Language::Kdl => vec![directory],
+        // Old scenes name their textures from wherever the program was started.
+        Language::Course => vec![directory, PathBuf::new()],
+    };
+    let source = match text {
+        Ok(text) => {
+            let source = Source {
+                name: name.to_owned(),
+                text: text.into(),
+                included_at: None,
+            };
+            files.add(source, directories)
+        }
+        Err(problem) => {
+            let source = Source {
+                name: name.to_owned(),
+                text: "".into(),
+                included_at: None,
+            };
+            files.add(source, directories);
+            let problem = Problem {
+                message: format!("{name}: {problem}"),
+                ..no_place()
+            };
+            return Err(Rejection {
+                problems: vec![problem],
+                sources: files.into_sources(),
+            });
+        }
+    };
+    let nodes = match language {
+        Language::Kdl => kdl::read(source, &mut files, &mut problems),
+        Language::Course => course::read(source, &files, &mut problems),
+    };
+    let built = build::scene(&nodes, options, files, &mut problems);
+    let (errors, warnings): (Vec<_>, Vec<_>) = problems
+        .into_iter()
+        .partition(|problem| problem.severity == Severity::Error);
+    match built {
+        Ok(scene) if errors.is_empty() => Ok(Reading {
+            scene,
+            language,
+            warnings,
+        }),
+        Ok(Scene { sources, .. }) | Err(sources) => Err(Rejection {
+            problems: limited(errors, warnings),
+            sources,
+        }),
+    }
+}
+
+/// The first errors and all warnings, with a last word on how many there were.
+fn limited(mut errors: Vec<Problem>, warnings: Vec<Problem>) -> Vec<Problem> {
+    if errors.len() > MOST_ERRORS {
+        let more = errors.len() - MOST_ERRORS;
+        errors.truncate(MOST_ERRORS);
+        errors.push(Problem {
+            message: format!("{more} more errors are not shown"),
+            help: Some("mend the first ones and look again".to_owned()),
+            ..no_place()
+        });
+    }
+    errors.into_iter().chain(warnings).collect()
+}
+
+fn no_place() -> Problem {
+    Problem {
+        severity: Severity::Error,
+        message: String::new(),
+        place: None,
+        help: None,
+    }
+}
+
+impl Language {
+    /// The language of a text: the course's camera and entities have words that KDL scenes lack.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        if course::looks_like(text) {
+            Self::Course
+        } else {
+            Self::Kdl
+        }
+    }
+}

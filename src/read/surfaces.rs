@@ -1,0 +1,113 @@
+//! Nodes to surfaces: one arm for each kind.
+
+use std::sync::Arc;
+
+use super::build::{Parts, refused};
+use super::textures;
+use crate::language::{Node, Problem, Refusal, Value};
+use crate::surface::{
+    Common, Ellipsoid, FinitePlane, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
+    TexturePlane, TileStart, TiledPlane, Triangle,
+};
+use crate::texture::Texture;
+
+/// The surface that a node describes; `None` if it cannot exist, which is then a problem.
+pub(super) fn surface(
+    node: &Node,
+    parts: &Parts,
+    problems: &mut Vec<Problem>,
+) -> Option<Box<dyn Surface>> {
+    let material = parts.materials.find(node, "material", problems);
+    let shadow = |word| {
+        let entry = node.entry("shadows");
+        entry
+            .and_then(|entry| entry.property(word))
+            .is_none_or(|value| value == Value::Flag(true))
+    };
+    let shadows = Shadows {
+        receive: shadow("receive"),
+        cast: shadow("cast"),
+    };
+    let common = |material| Common {
+        name: node.name.clone(),
+        material,
+        shadows,
+        location: node.location,
+    };
+    let (point, normal) = (|| node.triple("point"), || node.triple("normal"));
+
+    let made: Result<Box<dyn Surface>, Refusal> = match node.schema.word {
+        "plane" => boxed(Plane::new(common(material?), point(), normal())),
+        "finite-plane" => boxed(finite_plane(node, common(material?))),
+        "tiled-plane" => {
+            let alternate = parts.materials.find(node, "alternate", problems);
+            let plane = Plane::new(common(material?), point(), normal());
+            let start = TileStart::from_word(&node.text("start"));
+            let (xdir, tile, alternate) =
+                (node.triple("xdir"), node.pair("dimensions"), alternate?);
+            boxed(plane.and_then(|plane| TiledPlane::new(plane, xdir, tile, start, alternate)))
+        }
+        "texture-plane" => {
+            let image = textures::map(node, parts, problems);
+            let plane = finite_plane(node, common(material?));
+            let (image, texel_given) = image?;
+            boxed(plane.map(|plane| TexturePlane::new(plane, image, texel_given)))
+        }
+        "procedural-plane" => {
+            let shader = Shader::from_word(&node.text("shader"))?;
+            let plane = Plane::new(common(material?), point(), normal());
+            boxed(plane.map(|plane| ProceduralPlane::new(plane, shader)))
+        }
+        "sphere" => {
+            let texture = wrapped(node, parts, problems)?;
+            let (center, radius) = (node.triple("center"), node.number("radius"));
+            boxed(Sphere::new(common(material?), center, radius, texture))
+        }
+        "ellipsoid" => {
+            let texture = wrapped(node, parts, problems)?;
+            let (center, radius) = (node.triple("center"), node.number("radius"));
+            let scale = node.triple("scale");
+            boxed(Ellipsoid::new(
+                common(material?),
+                center,
+                radius,
+                scale,
+                texture,
+            ))
+        }
+        "triangle" => {
+            let vertices = ["vertex1", "vertex2", "vertex3"].map(|word| node.triple(word));
+            boxed(Triangle::new(common(material?), vertices))
+        }
+        other => unreachable!("the surface list has {other:?}, this match has no arm for it"),
+    };
+    made.map_err(|refusal| refused(node, refusal, problems))
+        .ok()
+}
+
+fn boxed<S: Surface + 'static>(made: Result<S, Refusal>) -> Result<Box<dyn Surface>, Refusal> {
+    made.map(|surface| Box::new(surface) as Box<dyn Surface>)
+}
+
+fn finite_plane(node: &Node, common: Common) -> Result<FinitePlane, Refusal> {
+    let (point, normal) = (node.triple("point"), node.triple("normal"));
+    FinitePlane::new(
+        common,
+        point,
+        normal,
+        node.triple("xdir"),
+        node.pair("dimensions"),
+    )
+}
+
+/// The texture of a round thing, which may have none; the outer `None` is a problem.
+fn wrapped(
+    node: &Node,
+    parts: &Parts,
+    problems: &mut Vec<Problem>,
+) -> Option<Option<Arc<Texture>>> {
+    if node.entry("texture").is_none() {
+        return Some(None);
+    }
+    parts.textures.find(node, "texture", problems).map(Some)
+}

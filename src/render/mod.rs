@@ -1,0 +1,69 @@
+//! Scene to film: pixels in parallel, the colour along one ray.
+
+mod probe;
+mod samples;
+mod tracer;
+
+pub use probe::{Counts, Probe};
+pub use samples::samples;
+pub use tracer::Tracer;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::film::Film;
+use crate::language::Refusal;
+use crate::math::Rgb;
+use crate::scene::Scene;
+
+/// Renders a scene on the current thread pool, and counts the work.
+///
+/// `progress` is told how many of the picture's rows are done; it may be called from any thread.
+/// The film does not depend on the number of threads.
+///
+/// # Errors
+/// Refuses a camera that cannot exist.
+pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
+    let tracer = Tracer::new(scene)?;
+    let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
+    let mut film = Film::new(width, height);
+    let done = AtomicUsize::new(0);
+    let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
+    let counts = rows
+        .map(|(row, pixels)| {
+            let mut counts = Counts::default();
+            for (column, pixel) in pixels.iter_mut().enumerate() {
+                *pixel = pixel_color(&tracer, scene, column, row, &mut counts);
+            }
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
+            counts
+        })
+        .sum();
+    Ok((film, counts))
+}
+
+/// The mean of a pixel's samples, unclamped, summed in their order.
+fn pixel_color(
+    tracer: &Tracer<'_>,
+    scene: &Scene,
+    column: usize,
+    row: usize,
+    probe: &mut impl Probe,
+) -> Rgb {
+    // The picture's rows are counted from the top, the camera's from the bottom.
+    let from_bottom = scene.picture.height as usize - 1 - row;
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "picture sides are far below 2^53"
+    )]
+    let (x, y) = (column as f64, from_bottom as f64);
+    if scene.picture.samples == 1 {
+        return tracer.sees(x, y, probe);
+    }
+    let mut sum = Rgb::BLACK;
+    for (dx, dy) in samples(column, from_bottom, scene.picture.samples) {
+        sum += tracer.sees(x + dx, y + dy, probe);
+    }
+    sum / f64::from(scene.picture.samples)
+}

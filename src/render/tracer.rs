@@ -1,0 +1,172 @@
+//! The colour along one ray.
+
+use crate::accel::SurfaceList;
+use crate::camera::Camera;
+use crate::language::Refusal;
+use crate::light::Light;
+use crate::math::{Ray, Rgb, Segment, Support};
+use crate::scene::Scene;
+use crate::surface::{Hit, Surface};
+
+use super::Probe;
+
+/// The most mirrored and transmitted rays that one ray from the eye may cause.
+///
+/// Two facing perfect mirrors would go on for ever; smaller, and long rows of mirror images end
+/// too early; larger, and a path needs more stack than a thread has.
+const MOST_BOUNCES: u32 = 1000;
+
+/// A scene made ready for tracing.
+#[derive(Debug)]
+pub struct Tracer<'a> {
+    scene: &'a Scene,
+    camera: Camera,
+    surfaces: SurfaceList<'a>,
+}
+
+/// How a ray came to be where it is.
+#[derive(Debug)]
+struct Path {
+    /// Distance from the eye to the ray's origin, along all mirrors.
+    travelled: f64,
+    /// The largest share of the ray's colour that reaches the pixel.
+    weight: f64,
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer for this scene.
+    ///
+    /// # Errors
+    /// Refuses a camera that cannot exist.
+    pub fn new(scene: &'a Scene) -> Result<Self, Refusal> {
+        let camera = scene
+            .view
+            .camera(scene.picture.width, scene.picture.height)?;
+        Ok(Self {
+            scene,
+            camera,
+            surfaces: SurfaceList::new(&scene.surfaces),
+        })
+    }
+
+    /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
+    pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
+        probe.camera_ray();
+        let mut bounces = MOST_BOUNCES;
+        let path = Path {
+            travelled: 0.0,
+            weight: 1.0,
+        };
+        self.trace(&self.camera.ray(x, y), &path, &mut bounces, probe)
+    }
+
+    /// The colour that comes back along a ray; black where there is nothing.
+    fn trace(&self, ray: &Ray, path: &Path, bounces: &mut u32, probe: &mut impl Probe) -> Rgb {
+        let Some((surface, support, hit)) = self.surfaces.nearest(ray, self.camera.span(ray))
+        else {
+            return Rgb::BLACK;
+        };
+        let travelled = path.travelled + hit.t;
+        let local = self.local_color(ray, surface, support, &hit, probe);
+        let mut color = local / self.scene.lighting.view_falloff.divisor(travelled);
+
+        let material = &surface.common().material;
+        let mut follow = |share: Rgb, dir, probe: &mut _, count: fn(&mut _)| {
+            let path = Path {
+                travelled,
+                weight: path.weight * share.max_channel(),
+            };
+            let spent = path.weight <= self.scene.picture.cut_off
+                || travelled > self.scene.lighting.reach
+                || *bounces == 0;
+            if spent {
+                return Rgb::BLACK;
+            }
+            *bounces -= 1;
+            count(probe);
+            let next = Ray::leaving(Some(support), hit.point, dir);
+            share * self.trace(&next, &path, bounces, probe)
+        };
+        if material.transparency > 0.0 {
+            let through = follow(
+                surface.transmits(&hit),
+                ray.dir,
+                probe,
+                Probe::transmitted_ray,
+            );
+            color = color * (1.0 - material.transparency) + through;
+        }
+        if !material.specular.is_black() {
+            color += follow(
+                material.specular,
+                ray.mirrored(hit.normal),
+                probe,
+                Probe::mirror_ray,
+            );
+        }
+        color
+    }
+
+    /// What the surface itself sends back along a ray: ambient, and the light of every light.
+    fn local_color(
+        &self,
+        ray: &Ray,
+        surface: &dyn Surface,
+        support: Support,
+        hit: &Hit,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let mut color = surface.getamb(hit);
+        if self.scene.lights.is_empty() {
+            return color;
+        }
+        let diffuse = surface.getdiff(hit);
+        for light in &self.scene.lights {
+            let Some(segment) = Segment::new(Some(support), hit.point, light.location) else {
+                continue;
+            };
+            let Some(arriving) = self.arriving(surface, hit, light, &segment, probe) else {
+                continue;
+            };
+            let cosine = segment.ray.dir.dot(hit.normal);
+            let divisor = self.scene.lighting.falloff.divisor(segment.length);
+            color += diffuse * arriving * cosine / divisor;
+
+            let material = &surface.common().material;
+            if material.shininess > 0.0 {
+                // Halfway between the directions to the eye and to the light (Blinn 1977,
+                // "Models of light reflection for computer synthesized pictures").
+                let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
+                let alignment = halfway.dot(hit.normal).max(0.0);
+                color += arriving * material.specular * libm::pow(alignment, material.shininess);
+            }
+        }
+        color
+    }
+
+    /// The light of a light that arrives at a hit; `None` if the surface hides itself from the
+    /// light, the beam passes by, or something stands in the way.
+    fn arriving(
+        &self,
+        surface: &dyn Surface,
+        hit: &Hit,
+        light: &Light,
+        segment: &Segment,
+        probe: &mut impl Probe,
+    ) -> Option<Rgb> {
+        if segment.ray.dir.dot(hit.normal) <= 0.0 {
+            return None;
+        }
+        let leaving = light.towards(segment)?;
+        if !surface.common().shadows.receive {
+            return Some(leaving);
+        }
+        probe.shadow_ray();
+        let segment = Segment {
+            span: self.camera.span(&segment.ray),
+            ..*segment
+        };
+        let passed = self.surfaces.transmittance(&segment);
+        (!passed.is_black()).then(|| leaving * passed)
+    }
+}

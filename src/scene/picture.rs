@@ -1,0 +1,105 @@
+//! The picture's size and how its pixels are made.
+
+use crate::film::Rounding;
+use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, Value};
+
+/// What the scene says about its picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Picture {
+    /// Width in pixels; at least 1.
+    pub width: u32,
+    /// Height in pixels; at least 1.
+    pub height: u32,
+    /// Rays through each pixel; at least 1.
+    pub samples: u32,
+    /// How intensities become code values.
+    pub rounding: Rounding,
+    /// Mirrored and transmitted rays whose weight has fallen below this are not followed.
+    pub cut_off: f64,
+}
+
+/// The longest side of a picture in pixels.
+const LONGEST_SIDE: u32 = 32_768;
+/// The most rays through one pixel.
+const MOST_SAMPLES: u32 = 65_536;
+
+impl Picture {
+    const ROUNDINGS: [&'static str; 2] = ["round", "truncate"];
+
+    /// The `image` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "image",
+        about: "The picture's width and height in pixels, and how its pixels are made.",
+        naming: Naming::None,
+        value: Some(
+            &Attribute::new(
+                "size",
+                Takes::Pair(Range::Whole(1, LONGEST_SIDE)),
+                "width and height",
+            )
+            .unit("pixels"),
+        ),
+        properties: &[
+            Attribute::new(
+                "samples",
+                Takes::Number(Range::Whole(1, MOST_SAMPLES)),
+                "rays through each pixel; one goes through its centre, more are stratified",
+            )
+            .or(Default::Number(1.0)),
+            Attribute::new(
+                "quantize",
+                Takes::Word(&Self::ROUNDINGS),
+                "to the nearest code value, or to the next lower one",
+            )
+            .or(Default::Word("round")),
+            Attribute::new(
+                "cut-off",
+                Takes::Number(Range::Between(0.0, 1.0)),
+                "weight below which mirrored and transmitted rays are not followed; 0 for never",
+            )
+            .or(Default::Number(0.000_5)),
+        ],
+        attributes: &[],
+    };
+
+    /// What an `image` node says.
+    #[must_use]
+    pub fn from_node(node: &Node) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the schema allows whole numbers only"
+        )]
+        #[expect(clippy::cast_sign_loss, reason = "and only positive ones")]
+        let whole = |number: f64| number as u32;
+        let number = |word| node.property(word).map_or(0.0, |value| value.number());
+        let size = node.value.as_ref().map_or(glam::DVec2::ONE, Value::pair);
+        let truncate = node
+            .property("quantize")
+            .is_some_and(|word| word.text() == "truncate");
+        Self {
+            width: whole(size.x),
+            height: whole(size.y),
+            samples: whole(number("samples")),
+            rounding: if truncate {
+                Rounding::Truncate
+            } else {
+                Rounding::Nearest
+            },
+            cut_off: number("cut-off"),
+        }
+    }
+
+    /// The settings as a node of the scene language.
+    #[must_use]
+    pub fn describe(&self) -> Node {
+        let rounding = match self.rounding {
+            Rounding::Nearest => Self::ROUNDINGS[0],
+            Rounding::Truncate => Self::ROUNDINGS[1],
+        };
+        Node::new(&Self::SCHEMA, None)
+            .value([f64::from(self.width), f64::from(self.height)])
+            .with_property("samples", f64::from(self.samples))
+            .with_property("quantize", rounding)
+            .with_property("cut-off", self.cut_off)
+    }
+}

@@ -1,0 +1,82 @@
+//! What every surface has.
+
+use std::sync::Arc;
+
+use crate::language::{Attribute, Default, Location, Node, Reference, Takes};
+use crate::material::Material;
+
+/// A surface's name, material, and part in shadows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Common {
+    /// Its name, if the scene gives one.
+    pub name: Option<String>,
+    /// How it answers light.
+    pub material: Arc<Material>,
+    /// Its part in shadows.
+    pub shadows: Shadows,
+    /// Where it stands in the scene file, if it was read from one.
+    pub location: Option<Location>,
+}
+
+/// A surface's part in shadows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shadows {
+    /// Whether other surfaces can put it into shadow: the chapter's `light_visible` test.
+    pub receive: bool,
+    /// Whether it can put other surfaces into shadow.
+    pub cast: bool,
+}
+
+impl std::default::Default for Shadows {
+    fn default() -> Self {
+        Self {
+            receive: true,
+            cast: true,
+        }
+    }
+}
+
+impl Common {
+    /// The attributes that every surface takes.
+    pub const ATTRIBUTES: &'static [Attribute] = &[
+        Attribute::new(
+            "material",
+            Takes::Name(Reference::Material),
+            "how it answers light",
+        ),
+        Attribute::new("shadows", Takes::Nothing, "its part in shadows")
+            .optional()
+            .with(&[
+                Attribute::new("receive", Takes::Flag, "whether others can shadow it")
+                    .or(Default::Flag(true)),
+                Attribute::new("cast", Takes::Flag, "whether it can shadow others")
+                    .or(Default::Flag(true)),
+            ]),
+    ];
+
+    /// A surface of this material without a name.
+    #[must_use]
+    pub fn new(material: Arc<Material>) -> Self {
+        Self {
+            name: None,
+            material,
+            shadows: Shadows::default(),
+            location: None,
+        }
+    }
+
+    /// Completes a surface's node.
+    #[must_use]
+    pub fn describe(&self, mut node: Node) -> Node {
+        node.name.clone_from(&self.name);
+        let geometry = std::mem::take(&mut node.attributes);
+        let mut node = node.with("material", self.material.name.as_str());
+        node.attributes.extend(geometry);
+        let Shadows { receive, cast } = self.shadows;
+        node.with_entry(
+            "shadows",
+            None,
+            &[("receive", receive.into()), ("cast", cast.into())],
+        )
+    }
+}

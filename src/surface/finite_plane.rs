@@ -1,0 +1,106 @@
+//! The finite plane.
+//!
+//! ```
+//! # heliodon::doctest::surface(r#"
+//! finite-plane "door" {
+//!     material "gray"
+//!     point -1 0 -2
+//!     normal 0 0 1
+//!     xdir 1 0 0
+//!     dimensions 2 3
+//! }
+//! # "#, [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], Some(2.0));
+//! ```
+
+use glam::{DVec2, DVec3};
+
+use super::{Common, Hit, Surface};
+use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::math::{Bounds, Flat, Ray, Rectangle, Segment, Span};
+
+/// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
+#[derive(Debug, Clone)]
+pub struct FinitePlane {
+    common: Common,
+    rectangle: Rectangle,
+    given_normal: DVec3,
+    given_xdir: DVec3,
+}
+
+impl FinitePlane {
+    /// The attributes that a rectangle adds to a plane's; its `point` is the lower-left corner.
+    pub(crate) const ATTRIBUTES: &[Attribute] = &[
+        Attribute::new("point", Takes::Triple, "the lower-left corner").unit("world units"),
+        Attribute::new("normal", Takes::Triple, "the direction it faces; any length but zero"),
+        Attribute::new("xdir", Takes::Triple, "where its own x grows; projected into the plane"),
+        Attribute::new("dimensions", Takes::Pair(Range::Positive), "width along x, height along y")
+            .unit("world units"),
+    ];
+
+    /// The `finite-plane` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "finite-plane",
+        about: "A rectangle; all four borders belong to it.",
+        naming: Naming::Optional,
+        value: None,
+        properties: &[],
+        attributes: &[Common::ATTRIBUTES, Self::ATTRIBUTES],
+    };
+
+    /// A rectangle from its lower-left corner, normal, direction of x, width and height.
+    ///
+    /// # Errors
+    /// Refuses a zero normal, an `xdir` that is zero or parallel to it, a size not above zero.
+    pub fn new(
+        common: Common,
+        point: DVec3,
+        normal: DVec3,
+        xdir: DVec3,
+        dimensions: DVec2,
+    ) -> Result<Self, Refusal> {
+        let rectangle = Rectangle::new(point, normal, xdir, dimensions)?;
+        Ok(Self { common, rectangle, given_normal: normal, given_xdir: xdir })
+    }
+
+    /// The shape.
+    #[must_use]
+    pub fn rectangle(&self) -> &Rectangle {
+        &self.rectangle
+    }
+
+    /// Adds the rectangle's attributes to a node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("point", self.rectangle.flat.point)
+            .with("normal", self.given_normal)
+            .with("xdir", self.given_xdir)
+            .with("dimensions", self.rectangle.size)
+    }
+}
+
+impl Surface for FinitePlane {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        let (t, uv) = self.rectangle.hits(ray, span)?;
+        let point = self.rectangle.point(uv);
+        Some(Hit { t, point, normal: self.rectangle.flat.normal, uv })
+    }
+
+    fn common(&self) -> &Common {
+        &self.common
+    }
+
+    fn describe(&self) -> Node {
+        self.describe_into(Node::new(&Self::SCHEMA, None))
+    }
+
+    fn flat(&self) -> Option<Flat> {
+        Some(self.rectangle.flat)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(self.rectangle.bounds())
+    }
+
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.rectangle.occludes(segment)
+    }
+}

@@ -1,0 +1,113 @@
+//! What a ray can hit. **The heart**: [`Surface`] is what the tracer calls on the boxed objects.
+
+mod common;
+mod globe;
+
+use std::fmt;
+
+use crate::language::{Node, Schema};
+use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
+
+pub use common::{Common, Shadows};
+pub use procedural_plane::Shader;
+pub use tiled_plane::TileStart;
+
+/// The list of surface kinds: a line here makes the module, its name, and its word known.
+macro_rules! surfaces {
+    ($($file:ident: $kind:ident,)*) => {
+        $(mod $file; pub use $file::$kind;)*
+
+        /// The nodes of the scene language that make surfaces.
+        pub const SCHEMAS: &[&Schema] = &[$(&$kind::SCHEMA),*];
+    };
+}
+
+surfaces! {
+    plane: Plane,
+    finite_plane: FinitePlane,
+    tiled_plane: TiledPlane,
+    texture_plane: TexturePlane,
+    procedural_plane: ProceduralPlane,
+    sphere: Sphere,
+    ellipsoid: Ellipsoid,
+    triangle: Triangle,
+}
+
+/// Something a ray can hit, with the colours it shows there.
+///
+/// A new kind of surface writes [`hits`](Self::hits), [`common`](Self::common) and
+/// [`describe`](Self::describe), and whichever of the others its effects need.
+pub trait Surface: Send + Sync + fmt::Debug {
+    /// The first hit of a ray, if there is one in the span.
+    ///
+    /// The caller does not ask a surface whose sheet the ray leaves.
+    #[doc(alias = "intersect")]
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit>;
+
+    /// What every surface has: its name, its material, its part in shadows.
+    fn common(&self) -> &Common;
+
+    /// The surface as a node of the scene language: the chapter's `dump_obj`.
+    ///
+    /// Without what [`Common`] adds.
+    fn describe(&self) -> Node;
+
+    /// The unbounded plane that the surface lies in, if it is flat.
+    fn flat(&self) -> Option<Flat> {
+        None
+    }
+
+    /// The box around the surface, if it is bounded.
+    fn bounds(&self) -> Option<Bounds> {
+        None
+    }
+
+    /// The side that a point is on; behind a closed surface is inside.
+    fn side(&self, point: &Point) -> Side {
+        self.flat().map_or(Side::Front, |flat| flat.side(point))
+    }
+
+    /// Whether the surface stands between the ends of a segment.
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.hits(&segment.ray, segment.span.until(segment.length))
+            .is_some()
+    }
+
+    /// The colour of the surface's texture at a hit; white without one.
+    fn texel(&self, _hit: &Hit) -> Rgb {
+        Rgb::WHITE
+    }
+
+    /// The ambient reflectivity at a hit.
+    #[doc(alias = "ambient")]
+    fn getamb(&self, hit: &Hit) -> Rgb {
+        self.common().material.ambient * self.texel(hit)
+    }
+
+    /// The diffuse reflectivity at a hit.
+    #[doc(alias = "diffuse")]
+    fn getdiff(&self, hit: &Hit) -> Rgb {
+        self.common().material.diffuse * self.texel(hit)
+    }
+
+    /// The share of light that goes straight through at a hit, with its colour.
+    #[doc(alias = "transmittance")]
+    fn transmits(&self, hit: &Hit) -> Rgb {
+        let material = &self.common().material;
+        material.filter() * material.transparency * self.texel(hit)
+    }
+}
+
+/// Where a ray met a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// Distance along the ray; above zero.
+    pub t: f64,
+    /// The place, anchored at the surface's own point.
+    pub point: Point,
+    /// The unit normal as the surface has it, on whichever side the ray came.
+    pub normal: glam::DVec3,
+    /// The surface's own coordinates: on a rectangle the chapter's `lasthit`, the offset from its
+    /// corner along x and y in world units; zero on surfaces without such coordinates.
+    pub uv: glam::DVec2,
+}

@@ -1,0 +1,87 @@
+//! The unbounded plane.
+//!
+//! ```
+//! # heliodon::doctest::surface(r#"
+//! plane "floor" {
+//!     material "gray"
+//!     point 0 0 0
+//!     normal 0 1 0
+//! }
+//! # "#, [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], Some(1.0));
+//! ```
+
+use glam::{DVec2, DVec3};
+
+use super::{Common, Hit, Surface};
+use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
+use crate::math::{Flat, Ray, Segment, Span};
+
+/// An unbounded plane; the chapter's `plane_t`.
+#[derive(Debug, Clone)]
+pub struct Plane {
+    common: Common,
+    flat: Flat,
+    given_normal: DVec3,
+}
+
+impl Plane {
+    /// The attributes that a plane and what is made of one take.
+    pub(super) const ATTRIBUTES: &[Attribute] = &[
+        Attribute::new("point", Takes::Triple, "a point in the plane").unit("world units"),
+        Attribute::new("normal", Takes::Triple, "the direction it faces; any length but zero"),
+    ];
+
+    /// The `plane` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "plane",
+        about: "An unbounded plane, lit on the side that its normal points to.",
+        naming: Naming::Optional,
+        value: None,
+        properties: &[],
+        attributes: &[Common::ATTRIBUTES, Self::ATTRIBUTES],
+    };
+
+    /// A plane through a point.
+    ///
+    /// # Errors
+    /// Refuses a zero normal.
+    pub fn new(common: Common, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+        Ok(Self { common, flat: Flat::new(point, normal)?, given_normal: normal })
+    }
+
+    /// The unit normal.
+    #[must_use]
+    pub fn normal(&self) -> DVec3 {
+        self.flat.normal
+    }
+
+    /// Adds the plane's attributes to a node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("point", self.flat.point).with("normal", self.given_normal)
+    }
+}
+
+impl Surface for Plane {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        let t = self.flat.hits(ray, span)?;
+        let point = self.flat.foot(ray, t);
+        Some(Hit { t, point, normal: self.flat.normal, uv: DVec2::ZERO })
+    }
+
+    fn common(&self) -> &Common {
+        &self.common
+    }
+
+    fn describe(&self) -> Node {
+        self.describe_into(Node::new(&Self::SCHEMA, None))
+    }
+
+    fn flat(&self) -> Option<Flat> {
+        Some(self.flat)
+    }
+
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.flat.separates(segment)
+            && segment.span.contains(self.flat.crossing(&segment.ray).distance())
+    }
+}

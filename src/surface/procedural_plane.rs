@@ -1,0 +1,137 @@
+//! The procedural plane.
+//!
+//! ```
+//! # heliodon::doctest::surface(r#"
+//! procedural-plane "wall" {
+//!     material "gray"
+//!     point 0 0 -4
+//!     normal 0 0 1
+//!     shader "stripes"
+//! }
+//! # "#, [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], Some(4.0));
+//! ```
+
+use std::f64::consts::PI;
+
+use super::{Common, Hit, Plane, Surface};
+use crate::language::{Attribute, Naming, Node, Schema, Takes};
+use crate::math::{Flat, Ray, Rgb, Segment, Span};
+
+/// An unbounded plane whose ambient colour is a formula; the course's two examples.
+#[derive(Debug, Clone)]
+pub struct ProceduralPlane {
+    plane: Plane,
+    shader: Shader,
+}
+
+/// A formula from a place to a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shader {
+    /// Curved stripes that take red or blue away.
+    Stripes,
+    /// The three channels as waves around the plane's point, a third of a turn apart.
+    ColorWheel,
+}
+
+impl Shader {
+    const WORDS: [&'static str; 2] = ["stripes", "color-wheel"];
+
+    /// The shader with this word.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        [Self::Stripes, Self::ColorWheel].into_iter().find(|shader| shader.word() == word)
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Stripes => Self::WORDS[0],
+            Self::ColorWheel => Self::WORDS[1],
+        }
+    }
+
+    /// The colour at an offset from the plane's point, along the world's x and y.
+    fn at(self, x: f64, y: f64) -> Rgb {
+        match self {
+            Self::Stripes => {
+                let stripe = (1000.0 + x * y * y / 100.0 + x * y / 100.0).trunc();
+                if stripe.rem_euclid(2.0) == 1.0 {
+                    Rgb::new(0.0, 1.0, 1.0)
+                } else {
+                    Rgb::new(1.0, 1.0, 0.0)
+                }
+            }
+            Self::ColorWheel => {
+                let angle = libm::atan2(y, x);
+                let wave = |phase: f64| 1.0 + libm::cos(2.0 * angle + phase);
+                Rgb::new(wave(0.0), wave(2.0 * PI / 3.0), wave(4.0 * PI / 3.0))
+            }
+        }
+    }
+}
+
+impl ProceduralPlane {
+    /// The `procedural-plane` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "procedural-plane",
+        about: "An unbounded plane whose ambient colour is a formula of the place.",
+        naming: Naming::Optional,
+        value: None,
+        properties: &[],
+        attributes: &[
+            Common::ATTRIBUTES,
+            Plane::ATTRIBUTES,
+            &[Attribute::new("shader", Takes::Word(&Shader::WORDS), "the formula")],
+        ],
+    };
+
+    /// A plane with a formula that multiplies its ambient colour.
+    #[must_use]
+    pub fn new(plane: Plane, shader: Shader) -> Self {
+        Self { plane, shader }
+    }
+}
+
+impl Surface for ProceduralPlane {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        self.plane.hits(ray, span)
+    }
+
+    fn common(&self) -> &Common {
+        self.plane.common()
+    }
+
+    fn describe(&self) -> Node {
+        self.plane.describe_into(Node::new(&Self::SCHEMA, None)).with("shader", self.shader.word())
+    }
+
+    fn flat(&self) -> Option<Flat> {
+        self.plane.flat()
+    }
+
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.plane.occludes(segment)
+    }
+
+    fn getamb(&self, hit: &Hit) -> Rgb {
+        let place = hit.point.offset;
+        self.plane.getamb(hit) * self.shader.at(place.x, place.y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stripes_take_red_or_blue() {
+        assert_eq!(Shader::Stripes.at(0.0, 0.0), Rgb::new(1.0, 1.0, 0.0));
+        assert_eq!(Shader::Stripes.at(50.0, 1.0), Rgb::new(0.0, 1.0, 1.0));
+        assert_eq!(Shader::Stripes.at(-50.0, 1.0), Rgb::new(0.0, 1.0, 1.0));
+    }
+
+    #[test]
+    fn the_wheel_is_reddest_along_x() {
+        let color = Shader::ColorWheel.at(1.0, 0.0);
+        assert!((color.r - 2.0).abs() < 1e-15 && (color.g - 0.5).abs() < 1e-15, "{color:?}");
+    }
+}

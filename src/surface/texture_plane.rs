@@ -1,0 +1,121 @@
+//! The texture plane.
+//!
+//! ```
+//! # heliodon::doctest::surface(r#"
+//! texture-plane "poster" {
+//!     material "gray"
+//!     point -1 0 -2
+//!     normal 0 0 1
+//!     xdir 1 0 0
+//!     dimensions 2 3
+//!     texture "arrow" mode="clamp"
+//! }
+//! # "#, [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], Some(2.0));
+//! ```
+
+use super::{Common, FinitePlane, Hit, Surface};
+use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
+use crate::math::{Bounds, Flat, Ray, Rgb, Segment, Span};
+use crate::texture::{TextureMap, Wrap};
+/// A finite plane that wears an image: the chapter's `texplane_t`.
+#[derive(Debug, Clone)]
+pub struct TexturePlane {
+    plane: FinitePlane,
+    image: TextureMap,
+    texel_given: bool,
+}
+
+impl TexturePlane {
+    /// The attribute that puts a texture on a rectangle.
+    pub(crate) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
+        "texture",
+        Takes::Name(Reference::Texture),
+        "the image that it wears",
+    )
+    .with(&[
+        Attribute::new(
+            "mode",
+            Takes::Word(&["clamp", "repeat"]),
+            "stretch the image over the whole surface, or tile it at its own scale",
+        )
+        .or(Default::Word("clamp")),
+        Attribute::new(
+            "texel",
+            Takes::NumberOrPair(Range::Positive),
+            "with `repeat`: size of a texel; one pixel of the chapter's screen if not given",
+        )
+        .unit("world units")
+        .optional(),
+    ])];
+
+    /// The `texture-plane` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "texture-plane",
+        about: "A rectangle that wears an image; the image multiplies `ambient` and `diffuse`.",
+        naming: Naming::Optional,
+        value: None,
+        properties: &[],
+        attributes: &[Common::ATTRIBUTES, FinitePlane::ATTRIBUTES, Self::ATTRIBUTES],
+    };
+
+    /// A finite plane with an image; `texel_given` tells whether the scene gives the texel's size
+    /// or leaves it to the screen.
+    #[must_use]
+    pub fn new(plane: FinitePlane, image: TextureMap, texel_given: bool) -> Self {
+        Self { plane, image, texel_given }
+    }
+
+    /// Adds the texture of a rectangle to its node.
+    pub(crate) fn describe_image(node: Node, image: &TextureMap, texel_given: bool) -> Node {
+        let mode = match image.wrap {
+            Wrap::Clamp => "clamp",
+            Wrap::Repeat => "repeat",
+        };
+        let mut properties = vec![("mode", mode.into())];
+        if texel_given {
+            properties.push(("texel", number_or_pair(image.size.to_array())));
+        }
+        let name = image.texture.name.as_str();
+        node.with_entry("texture", Some(name.into()), &properties)
+    }
+}
+
+/// One number for a square texel, two in quotes for another.
+fn number_or_pair([x, y]: [f64; 2]) -> Value {
+    if x.to_bits() == y.to_bits() {
+        Value::Number(x)
+    } else {
+        Value::from(Value::Pair([x, y]).to_string().as_str())
+    }
+}
+
+impl Surface for TexturePlane {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        self.plane.hits(ray, span)
+    }
+
+    fn common(&self) -> &Common {
+        self.plane.common()
+    }
+
+    fn describe(&self) -> Node {
+        let node = self.plane.describe_into(Node::new(&Self::SCHEMA, None));
+        Self::describe_image(node, &self.image, self.texel_given)
+    }
+
+    fn flat(&self) -> Option<Flat> {
+        self.plane.flat()
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        self.plane.bounds()
+    }
+
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.plane.occludes(segment)
+    }
+
+    fn texel(&self, hit: &Hit) -> Rgb {
+        self.image.at(hit.uv)
+    }
+}

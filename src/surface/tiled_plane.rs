@@ -1,0 +1,173 @@
+//! The tiled plane.
+//!
+//! ```
+//! # heliodon::doctest::surface(r#"
+//! tiled-plane "floor" {
+//!     material "gray"
+//!     alternate "white"
+//!     point 0 0 0
+//!     normal 0 1 0
+//!     xdir 1 0 0
+//!     dimensions 1 1
+//! }
+//! # "#, [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], Some(1.0));
+//! ```
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::{Common, Hit, Plane, Surface};
+use crate::language::{
+    Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes,
+};
+use crate::material::Material;
+use crate::math::{Flat, Frame, Ray, Rgb, Segment, Span};
+
+/// An unbounded plane of tiles in two materials, in a checkerboard.
+///
+/// Ambient and diffuse alternate; mirror, glint and transparency are the main material's.
+#[derive(Debug, Clone)]
+pub struct TiledPlane {
+    plane: Plane,
+    frame: Frame,
+    given_xdir: DVec3,
+    tile: DVec2,
+    start: TileStart,
+    alternate: Arc<Material>,
+}
+
+/// Where the tiles are counted from, and which material comes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TileStart {
+    /// The plane's point is the lower-left corner of a tile of the main material.
+    Point,
+    /// As in the course's programs: from the world's origin, 100,000 added before dividing, the
+    /// main material where the tile numbers add up to an odd number.
+    Course,
+}
+
+impl TileStart {
+    const WORDS: [&'static str; 2] = ["point", "course"];
+
+    /// The start with this word; `Point` for any other.
+    #[must_use]
+    pub fn from_word(word: &str) -> Self {
+        if word == Self::WORDS[1] { Self::Course } else { Self::Point }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Point => Self::WORDS[0],
+            Self::Course => Self::WORDS[1],
+        }
+    }
+}
+
+impl TiledPlane {
+    /// The `tiled-plane` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "tiled-plane",
+        about: "An unbounded plane of tiles in two materials, in a checkerboard.",
+        naming: Naming::Optional,
+        value: None,
+        properties: &[],
+        attributes: &[
+            Common::ATTRIBUTES,
+            &[Attribute::new(
+                "alternate",
+                Takes::Name(Reference::Material),
+                "the material of every other tile; its ambient and diffuse count",
+            )],
+            Plane::ATTRIBUTES,
+            &[
+                Attribute::new("xdir", Takes::Triple, "where a row of tiles runs"),
+                Attribute::new("dimensions", Takes::Pair(Range::Positive), "size of a tile")
+                    .unit("world units"),
+                Attribute::new(
+                    "start",
+                    Takes::Word(&TileStart::WORDS),
+                    "count tiles from `point`, or as the course's programs did",
+                )
+                .or(Default::Word("point")),
+            ],
+        ],
+    };
+
+    /// A plane of tiles of this size along `xdir`.
+    ///
+    /// # Errors
+    /// Refuses an `xdir` that is zero or parallel to the normal, and a size not above zero.
+    pub fn new(
+        plane: Plane,
+        xdir: DVec3,
+        tile: DVec2,
+        start: TileStart,
+        alternate: Arc<Material>,
+    ) -> Result<Self, Refusal> {
+        let frame = Frame::new(plane.normal(), xdir)?;
+        if !(tile.is_finite() && tile.min_element() > 0.0) {
+            return Err(Refusal::new(
+                "dimensions",
+                "width and height of a tile must be above zero",
+                "give the size of one tile in world units",
+            ));
+        }
+        Ok(Self { plane, frame, given_xdir: xdir, tile, start, alternate })
+    }
+
+    fn material_at(&self, hit: &Hit) -> &Material {
+        let (place, main_parity) = match self.start {
+            TileStart::Point => (hit.uv / self.tile, 0.0),
+            TileStart::Course => {
+                const BIG: f64 = 100_000.0;
+                let world = hit.point.world();
+                let along = DVec2::new(self.frame.x.dot(world), self.frame.y.dot(world));
+                ((along + DVec2::splat(BIG)) / self.tile, 1.0)
+            }
+        };
+        let tile = place.floor();
+        // Each remainder is exact, so their sum is too, however far away the tile is.
+        let parity = (tile.x.rem_euclid(2.0) + tile.y.rem_euclid(2.0)).rem_euclid(2.0);
+        if parity == main_parity { &self.plane.common().material } else { &self.alternate }
+    }
+}
+
+impl Surface for TiledPlane {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        let hit = self.plane.hits(ray, span)?;
+        let offset = hit.point.offset;
+        let uv = DVec2::new(self.frame.x.dot(offset), self.frame.y.dot(offset));
+        Some(Hit { uv, ..hit })
+    }
+
+    fn common(&self) -> &Common {
+        self.plane.common()
+    }
+
+    fn describe(&self) -> Node {
+        let alternate = self.alternate.name.as_str();
+        let node = Node::new(&Self::SCHEMA, None).with("alternate", alternate);
+        self.plane
+            .describe_into(node)
+            .with("xdir", self.given_xdir)
+            .with("dimensions", self.tile)
+            .with("start", self.start.word())
+    }
+
+    fn flat(&self) -> Option<Flat> {
+        self.plane.flat()
+    }
+
+    fn occludes(&self, segment: &Segment) -> bool {
+        self.plane.occludes(segment)
+    }
+
+    fn getamb(&self, hit: &Hit) -> Rgb {
+        self.material_at(hit).ambient
+    }
+
+    fn getdiff(&self, hit: &Hit) -> Rgb {
+        self.material_at(hit).diffuse
+    }
+}

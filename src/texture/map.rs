@@ -1,0 +1,135 @@
+//! How a texture lies on a rectangle.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::{Texture, Wrap};
+use crate::math::Rgb;
+
+/// A texture laid over a rectangle, upright, with its lower-left corner at the rectangle's.
+#[derive(Debug, Clone)]
+pub struct TextureMap {
+    /// The image.
+    pub texture: Arc<Texture>,
+    /// CLAMP or REPEAT.
+    pub wrap: Wrap,
+    /// The world size of what is mapped: the whole image for CLAMP, one texel for REPEAT.
+    pub size: DVec2,
+}
+
+impl TextureMap {
+    /// The chapter's CLAMP: the image is stretched to fill a rectangle of this world size.
+    #[must_use]
+    pub fn clamp(texture: Arc<Texture>, size: DVec2) -> Self {
+        Self {
+            texture,
+            wrap: Wrap::Clamp,
+            size,
+        }
+    }
+
+    /// The chapter's REPEAT: texels of this world size, the image tiled over the rectangle.
+    #[must_use]
+    pub fn repeat(texture: Arc<Texture>, texel: DVec2) -> Self {
+        Self {
+            texture,
+            wrap: Wrap::Repeat,
+            size: texel,
+        }
+    }
+
+    /// The chapter's `texture_map`: the colour at an offset from the lower-left corner.
+    #[must_use]
+    pub fn at(&self, offset: DVec2) -> Rgb {
+        let (width, height) = (self.texture.texels.width, self.texture.texels.height);
+        let relative = offset / self.size;
+        #[expect(clippy::cast_precision_loss, reason = "image sides are far below 2^53")]
+        let place = match self.wrap {
+            Wrap::Clamp => relative * DVec2::new(width as f64, height as f64),
+            Wrap::Repeat => relative,
+        };
+        let column = self.wrap.index(place.x, width);
+        // Images are stored from the top, offsets are counted from the bottom.
+        let row = height - 1 - self.wrap.index(place.y, height);
+        self.texture.texel(column, row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::texture::Texels;
+
+    /// Red numbers the columns from the left, green the rows from the top.
+    fn numbered(width: usize, height: usize) -> Arc<Texture> {
+        let number = |index: usize| u16::try_from(index).expect("small");
+        let channels = (0..width * height)
+            .map(|index| [number(index % width), number(index / width), 0])
+            .collect();
+        let texels = Texels {
+            width,
+            height,
+            channels,
+            deep: false,
+        };
+        let file = "numbered.png".to_owned();
+        let path = file.clone().into();
+        Arc::new(Texture {
+            name: "numbered".into(),
+            file,
+            path,
+            texels,
+            divisor: 255.0,
+        })
+    }
+
+    fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
+        let color = map.at(DVec2::new(x, y)) * 255.0;
+        (color.r.round(), color.g.round())
+    }
+
+    #[test]
+    fn clamp_draws_the_image_upright_and_keeps_its_borders() {
+        let map = TextureMap::clamp(numbered(4, 4), DVec2::new(8.0, 2.0));
+        assert_eq!(column_and_row(&map, 0.0, 0.0), (0.0, 3.0));
+        assert_eq!(column_and_row(&map, 8.0, 2.0), (3.0, 0.0));
+        assert_eq!(column_and_row(&map, 3.9, 1.1), (1.0, 1.0));
+    }
+
+    #[test]
+    fn every_row_and_column_is_used_equally_in_both_modes() {
+        for side in [3, 7, 100, 128, 200, 300, 384] {
+            for map in [
+                TextureMap::clamp(numbered(side, side), DVec2::splat(10.0)),
+                TextureMap::repeat(numbered(side, side), DVec2::splat(10.0 / side as f64)),
+            ] {
+                for texel in 0..side {
+                    let middle = (texel as f64 + 0.5) / side as f64 * 10.0;
+                    let expected = (texel as f64, (side - 1 - texel) as f64);
+                    assert_eq!(column_and_row(&map, middle, middle), expected);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn whole_pixel_offsets_take_each_row_once() {
+        // The chapter's own formula reads rows 128, 127, 126 … 1 here: the first twice, 0 never.
+        let map = TextureMap::repeat(numbered(128, 128), DVec2::ONE);
+        let rows: Vec<_> = (0..128)
+            .map(|y| column_and_row(&map, 0.0, f64::from(y)).1)
+            .collect();
+        let expected: Vec<_> = (0..128).rev().map(f64::from).collect();
+        assert_eq!(rows, expected);
+    }
+
+    #[test]
+    fn repeat_continues_the_image_without_a_seam() {
+        let map = TextureMap::repeat(numbered(5, 5), DVec2::new(0.5, 0.25));
+        assert_eq!(
+            column_and_row(&map, 2.6, 1.3),
+            column_and_row(&map, 0.1, 0.05)
+        );
+    }
+}

@@ -1,0 +1,87 @@
+//! Images laid over surfaces.
+
+mod decode;
+mod map;
+mod wrap;
+
+pub use decode::{DecodeError, check, decode};
+pub use map::TextureMap;
+pub use wrap::Wrap;
+
+use std::path::PathBuf;
+
+use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes};
+use crate::math::Rgb;
+
+/// The chapter's `texture_t`: the texels of one image, and how to look one up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// The name that surfaces use.
+    pub name: String,
+    /// The file as the scene names it.
+    pub file: String,
+    /// The file that was read.
+    pub path: PathBuf,
+    /// The texels.
+    pub texels: Texels,
+    /// What a channel of an 8-bit texel is divided by: 255, or 256 as in the course's programs.
+    pub divisor: f64,
+}
+
+/// The texels of an image, row by row from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Texels {
+    /// Texels in a row; at least 1.
+    pub width: usize,
+    /// Rows; at least 1.
+    pub height: usize,
+    /// Red, green and blue of each texel.
+    pub channels: Vec<[u16; 3]>,
+    /// Whether the channels have 16 bits instead of 8.
+    pub deep: bool,
+}
+
+impl Texture {
+    /// The `texture` node of the scene language.
+    pub const SCHEMA: Schema = Schema {
+        word: "texture",
+        about: "An image file that surfaces can wear.",
+        naming: Naming::Required,
+        value: Some(&Attribute::new(
+            "file",
+            Takes::Path,
+            "PNG, JPEG, PPM or PGM; relative to the scene file",
+        )),
+        properties: &[Attribute::new(
+            "divisor",
+            Takes::Number(Range::Between(255.0, 256.0)),
+            "what an 8-bit channel is divided by; 256 is the course preset's",
+        )
+        .or(Default::Number(255.0))],
+        attributes: &[],
+    };
+
+    /// The colour of a texel; column from the left, row from the top.
+    ///
+    /// # Panics
+    /// If there is no such texel.
+    #[must_use]
+    pub fn texel(&self, column: usize, row: usize) -> Rgb {
+        const SIXTEEN_BITS_PER_EIGHT: f64 = 257.0;
+        let [r, g, b] = self.texels.channels[row * self.texels.width + column].map(f64::from);
+        let depth = if self.texels.deep {
+            SIXTEEN_BITS_PER_EIGHT
+        } else {
+            1.0
+        };
+        Rgb::new(r, g, b) / (self.divisor * depth)
+    }
+
+    /// The texture as a node of the scene language.
+    #[must_use]
+    pub fn describe(&self) -> Node {
+        Node::new(&Self::SCHEMA, Some(&self.name))
+            .value(self.file.as_str())
+            .with_property("divisor", self.divisor)
+    }
+}
