@@ -1,3 +1,7 @@
 //! The `heliodon` program.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    heliodon::cli::main()
+}

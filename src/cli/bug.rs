@@ -1,0 +1,45 @@
+//! What happens if the program has a bug.
+
+use std::backtrace::Backtrace;
+use std::io::Write;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
+
+use super::Status;
+
+/// Runs a command; a panic ends it with its own exit code and a report in a file.
+pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
+    panic::set_hook(Box::new(|panic| {
+        let report = format!(
+            "heliodon {}\narguments: {:?}\n{panic}\n{}\n",
+            env!("CARGO_PKG_VERSION"),
+            std::env::args().collect::<Vec<_>>(),
+            Backtrace::force_capture(),
+        );
+        // With standard error closed there is nobody to tell.
+        let mut err = std::io::stderr().lock();
+        let _ = writeln!(err, "This is a bug in heliodon, not a mistake of yours: {panic}");
+        if let Some(path) = save(&report) {
+            let _ = writeln!(err, "A report that helps to mend it is in {}", path.display());
+        }
+    }));
+    panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Status::Bug)
+}
+
+fn save(report: &str) -> Option<PathBuf> {
+    let mut file =
+        tempfile::Builder::new().prefix("heliodon-bug-").suffix(".txt").tempfile().ok()?;
+    file.write_all(report.as_bytes()).ok()?;
+    file.into_temp_path().keep().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_an_exit_code() {
+        assert_eq!(guard(|| panic!("on purpose")), Status::Bug);
+        assert_eq!(Status::Bug.code(), 70);
+    }
+}

@@ -1,0 +1,36 @@
+//! `heliodon dump`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::messages::Messages;
+use super::{Status, input};
+
+/// Prints the resolved scene as KDL, every include inserted and every default spelled out.
+///
+/// This is the chapter's `dump_obj`; what it prints renders to the same picture.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// Scene file; `-` is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    format: input::SceneFormat,
+}
+
+pub(super) fn run(options: &Options, messages: &Messages) -> Status {
+    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+        Ok(reading) => reading,
+        Err(failure) => return failure.status,
+    };
+    let nodes = reading.scene.describe();
+    let text: String = nodes.iter().map(ToString::to_string).collect();
+    match messages.result(&text) {
+        Ok(()) => Status::Done,
+        Err(error) => {
+            messages.error(&format!("error: cannot write to standard output: {error}"));
+            Status::Io
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Scenes from files and from standard input.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use super::messages::{Messages, problems_json};
+use super::Status;
+use crate::read::{Language, Options, Reading, Rejection, read_bytes, read_file};
+
+/// The word for standard input and standard output.
+pub(super) const DASH: &str = "-";
+
+/// Which language a scene is written in.
+#[derive(Debug, Clone, Copy, Args)]
+pub(super) struct SceneFormat {
+    /// Language of the scenes; recognised by content if not given.
+    #[arg(long, value_name = "FORMAT", value_enum)]
+    format: Option<LanguageWord>,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum LanguageWord {
+    /// KDL.
+    Kdl,
+    /// The course's block grammar.
+    Course,
+}
+
+/// Reads a scene; what is wrong with it is shown, and gives the status to end with.
+pub(super) fn read(
+    scene: &Path,
+    options: &Options,
+    messages: &Messages,
+) -> Result<Reading, Failure> {
+    let read = if scene.as_os_str() == DASH {
+        let mut bytes = Vec::new();
+        let piped = std::io::stdin().lock().read_to_end(&mut bytes);
+        piped.map(|_| read_bytes("stdin", bytes, PathBuf::new(), options))
+    } else {
+        read_file(scene, options)
+    };
+    match read {
+        Ok(Ok(reading)) => {
+            messages.problems(&reading.warnings, &reading.scene.sources);
+            Ok(reading)
+        }
+        Ok(Err(rejection)) => {
+            messages.problems(&rejection.problems, &rejection.sources);
+            Err(Failure { status: Status::BadInput, rejection: Some(rejection), error: None })
+        }
+        Err(error) => {
+            let error = format!("cannot read {}: {error}", scene.display());
+            messages.error(&format!("error: {error}"));
+            Err(Failure { status: Status::Io, rejection: None, error: Some(error) })
+        }
+    }
+}
+
+/// Why a scene could not be read; already shown.
+#[derive(Debug)]
+pub(super) struct Failure {
+    pub(super) status: Status,
+    rejection: Option<Rejection>,
+    error: Option<String>,
+}
+
+impl Failure {
+    /// The failure as one line of JSON.
+    pub(super) fn json(&self, scene: &Path) -> String {
+        let rejection = self.rejection.as_ref();
+        let problems = rejection.map(|no| problems_json(&no.problems, &no.sources));
+        let line = serde_json::json!({
+            "scene": scene.display().to_string(),
+            "exit": self.status.code(),
+            "error": self.error,
+            "problems": problems.unwrap_or_default(),
+        });
+        format!("{line}\n")
+    }
+}
+
+impl SceneFormat {
+    /// The reader's options.
+    pub(super) fn options(self) -> Options {
+        let language = self.format.map(|word| match word {
+            LanguageWord::Kdl => Language::Kdl,
+            LanguageWord::Course => Language::Course,
+        });
+        Options { language, ..Options::default() }
+    }
+}

@@ -1,0 +1,89 @@
+//! Words for the person at the shell: results on standard output, the rest on standard error.
+
+use std::io::{self, ErrorKind, IsTerminal, Write};
+
+use serde_json::{Value, json};
+
+use super::{Color, Global};
+use crate::language::{Problem, Severity, Sources, render_problems};
+
+/// How much to say, and how.
+#[derive(Debug)]
+pub(super) struct Messages {
+    pub(super) quiet: bool,
+    pub(super) verbose: bool,
+    pub(super) json: bool,
+    color: bool,
+    width: usize,
+}
+
+impl Messages {
+    pub(super) fn new(global: &Global) -> Self {
+        const DEFAULT_WIDTH: usize = 100;
+        let terminal = io::stderr().is_terminal();
+        let allowed = |name| std::env::var_os(name).is_none_or(|value| value.is_empty());
+        let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+        let forced = std::env::var_os("CLICOLOR_FORCE").is_some_and(|value| value != "0");
+        let color = match global.color {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => allowed("NO_COLOR") && (forced || terminal && !dumb),
+        };
+        let console = terminal_size::terminal_size_of(io::stderr());
+        let width = console.map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0).clamp(40, 120));
+        Self { quiet: global.quiet, verbose: global.verbose, json: global.json, color, width }
+    }
+
+    /// Says something that is not a result, unless asked to be quiet.
+    pub(super) fn note(&self, text: &str) {
+        if !self.quiet {
+            self.error(text);
+        }
+    }
+
+    /// Says that something went wrong.
+    pub(super) fn error(&self, text: &str) {
+        // With standard error closed there is nobody to tell.
+        let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+
+    /// Shows what is wrong with a scene.
+    pub(super) fn problems(&self, problems: &[Problem], sources: &Sources) {
+        let shown: Vec<_> = problems
+            .iter()
+            .filter(|problem| !self.quiet || problem.severity == Severity::Error)
+            .cloned()
+            .collect();
+        let text = render_problems(&shown, sources, self.color, self.width);
+        let _ = io::stderr().lock().write_all(text.as_bytes());
+    }
+
+    /// Prints a result.
+    ///
+    /// A reader that has seen enough and closed the pipe is no error.
+    pub(super) fn result(&self, text: &str) -> io::Result<()> {
+        let mut out = io::stdout().lock();
+        match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            written => written,
+        }
+    }
+}
+
+/// Problems as JSON values.
+pub(super) fn problems_json(problems: &[Problem], sources: &Sources) -> Vec<Value> {
+    let as_json = |problem: &Problem| {
+        let place = problem.place.as_ref().map(|(at, label)| {
+            let source = sources.get(at.source);
+            let (line, column) = source.line_and_column(at.start);
+            json!({ "file": source.name, "line": line, "column": column, "expected": label })
+        });
+        let severity = match problem.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        };
+        let (message, help) = (&problem.message, &problem.help);
+        json!({ "severity": severity, "message": message, "place": place, "help": help })
+    };
+    problems.iter().map(as_json).collect()
+}

@@ -1,0 +1,2 @@
+//! What the examples in this crate's documentation are checked with.
+

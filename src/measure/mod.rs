@@ -1,0 +1,5 @@
+//! Answers about scenes and pictures.
+
+mod check;
+
+pub use check::check;
