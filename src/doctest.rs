@@ -1,2 +1,1 @@
 //! What the examples in this crate's documentation are checked with.
-

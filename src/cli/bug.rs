@@ -18,17 +18,27 @@ pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
         );
         // With standard error closed there is nobody to tell.
         let mut err = std::io::stderr().lock();
-        let _ = writeln!(err, "This is a bug in heliodon, not a mistake of yours: {panic}");
+        let _ = writeln!(
+            err,
+            "This is a bug in heliodon, not a mistake of yours: {panic}"
+        );
         if let Some(path) = save(&report) {
-            let _ = writeln!(err, "A report that helps to mend it is in {}", path.display());
+            let _ = writeln!(
+                err,
+                "A report that helps to mend it is in {}",
+                path.display()
+            );
         }
     }));
     panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Status::Bug)
 }
 
 fn save(report: &str) -> Option<PathBuf> {
-    let mut file =
-        tempfile::Builder::new().prefix("heliodon-bug-").suffix(".txt").tempfile().ok()?;
+    let mut file = tempfile::Builder::new()
+        .prefix("heliodon-bug-")
+        .suffix(".txt")
+        .tempfile()
+        .ok()?;
     file.write_all(report.as_bytes()).ok()?;
     file.into_temp_path().keep().ok()
 }

@@ -21,7 +21,10 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let statuses = options.scenes.iter().map(|scene| one(scene, options, messages));
+    let statuses = options
+        .scenes
+        .iter()
+        .map(|scene| one(scene, options, messages));
     statuses.fold(Status::Done, Status::worst)
 }
 
@@ -35,7 +38,12 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
                 Status::BadInput => Status::No,
                 other => other,
             };
-            return print(messages, failure.json(scene), format!("{name}: errors\n"), status);
+            return print(
+                messages,
+                failure.json(scene),
+                format!("{name}: errors\n"),
+                status,
+            );
         }
     };
     let warnings = measure::check(&reading.scene);
@@ -52,7 +60,12 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
         1 => "ok, 1 warning".to_owned(),
         many => format!("ok, {many} warnings"),
     };
-    print(messages, format!("{json}\n"), format!("{name}: {verdict}\n"), Status::Done)
+    print(
+        messages,
+        format!("{json}\n"),
+        format!("{name}: {verdict}\n"),
+        Status::Done,
+    )
 }
 
 fn print(messages: &Messages, json: String, text: String, status: Status) -> Status {

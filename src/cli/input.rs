@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::messages::{Messages, problems_json};
 use super::Status;
+use super::messages::{Messages, problems_json};
 use crate::read::{Language, Options, Reading, Rejection, read_bytes, read_file};
 
 /// The word for standard input and standard output.
@@ -48,12 +48,20 @@ pub(super) fn read(
         }
         Ok(Err(rejection)) => {
             messages.problems(&rejection.problems, &rejection.sources);
-            Err(Failure { status: Status::BadInput, rejection: Some(rejection), error: None })
+            Err(Failure {
+                status: Status::BadInput,
+                rejection: Some(rejection),
+                error: None,
+            })
         }
         Err(error) => {
             let error = format!("cannot read {}: {error}", scene.display());
             messages.error(&format!("error: {error}"));
-            Err(Failure { status: Status::Io, rejection: None, error: Some(error) })
+            Err(Failure {
+                status: Status::Io,
+                rejection: None,
+                error: Some(error),
+            })
         }
     }
 }
@@ -88,6 +96,9 @@ impl SceneFormat {
             LanguageWord::Kdl => Language::Kdl,
             LanguageWord::Course => Language::Course,
         });
-        Options { language, ..Options::default() }
+        Options {
+            language,
+            ..Options::default()
+        }
     }
 }

@@ -30,8 +30,16 @@ impl Messages {
             Color::Auto => allowed("NO_COLOR") && (forced || terminal && !dumb),
         };
         let console = terminal_size::terminal_size_of(io::stderr());
-        let width = console.map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0).clamp(40, 120));
-        Self { quiet: global.quiet, verbose: global.verbose, json: global.json, color, width }
+        let width = console.map_or(DEFAULT_WIDTH, |(width, _)| {
+            usize::from(width.0).clamp(40, 120)
+        });
+        Self {
+            quiet: global.quiet,
+            verbose: global.verbose,
+            json: global.json,
+            color,
+            width,
+        }
     }
 
     /// Says something that is not a result, unless asked to be quiet.

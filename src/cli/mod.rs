@@ -25,7 +25,12 @@ use status::Status;
 /// Results go to standard output, everything else to standard error. Exit codes: 0 done, 1 the
 /// answer is no, 2 wrong usage, 3 wrong scene, 4 files, 5 numbers, 70 a bug.
 #[derive(Debug, Parser)]
-#[command(name = "heliodon", version, max_term_width = 100, arg_required_else_help = true)]
+#[command(
+    name = "heliodon",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -43,7 +48,13 @@ struct Global {
     #[arg(short, long, global = true)]
     verbose: bool,
     /// When to use colours on standard error.
-    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN")]
+    #[arg(
+        long,
+        global = true,
+        value_enum,
+        default_value = "auto",
+        value_name = "WHEN"
+    )]
     color: Color,
     /// Print results as JSON on standard output, one line each.
     #[arg(long, global = true)]
@@ -111,7 +122,11 @@ pub fn main() -> ExitCode {
             // Help and version go to standard output, mistakes to standard error; if neither can
             // be written to, there is nobody to tell.
             let _ = error.print();
-            let status = if error.use_stderr() { Status::Usage } else { Status::Done };
+            let status = if error.use_stderr() {
+                Status::Usage
+            } else {
+                Status::Done
+            };
             return status.into();
         }
     };

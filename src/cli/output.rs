@@ -25,7 +25,10 @@ pub(super) struct Refused {
 }
 
 fn usage(reason: impl Into<String>) -> Refused {
-    Refused { status: Status::Usage, reason: reason.into() }
+    Refused {
+        status: Status::Usage,
+        reason: reason.into(),
+    }
 }
 
 /// The outputs of a list of scenes, in their order.
@@ -47,7 +50,10 @@ pub(super) fn plan(
         let output = output(scene, pattern, format)?;
         let Some(path) = &output.path else { continue };
         let place = place(path)?;
-        if scenes.iter().any(|scene| scene.canonicalize().is_ok_and(|scene| scene == place)) {
+        if scenes
+            .iter()
+            .any(|scene| scene.canonicalize().is_ok_and(|scene| scene == place))
+        {
             let reason = format!("the picture {} would replace a scene", path.display());
             return Err(usage(reason));
         }
@@ -64,28 +70,29 @@ pub(super) fn plan(
     Ok(outputs)
 }
 
-fn to_standard_output(
-    scenes: &[PathBuf],
-    format: Option<Format>,
-) -> Result<Vec<Output>, Refused> {
+fn to_standard_output(scenes: &[PathBuf], format: Option<Format>) -> Result<Vec<Output>, Refused> {
     if scenes.len() > 1 {
         return Err(usage("only one picture can go to standard output"));
     }
     if std::io::stdout().is_terminal() {
-        return Err(usage("a terminal cannot show a picture; send standard output to a file"));
+        return Err(usage(
+            "a terminal cannot show a picture; send standard output to a file",
+        ));
     }
-    Ok(vec![Output { path: None, format: format.unwrap_or(Format::Png8) }])
+    Ok(vec![Output {
+        path: None,
+        format: format.unwrap_or(Format::Png8),
+    }])
 }
 
-fn output(
-    scene: &Path,
-    pattern: Option<&str>,
-    format: Option<Format>,
-) -> Result<Output, Refused> {
+fn output(scene: &Path, pattern: Option<&str>, format: Option<Format>) -> Result<Output, Refused> {
     let stem = if scene.as_os_str() == DASH {
         "stdin".into()
     } else {
-        scene.file_stem().unwrap_or(scene.as_os_str()).to_string_lossy()
+        scene
+            .file_stem()
+            .unwrap_or(scene.as_os_str())
+            .to_string_lossy()
     };
     let extension = format.unwrap_or(Format::Png8).extension();
     let path = match pattern {
@@ -93,7 +100,11 @@ fn output(
         Some(pattern) => {
             let path = PathBuf::from(filled(pattern, &stem)?);
             let folder = path.is_dir() || pattern.ends_with(std::path::MAIN_SEPARATOR);
-            if folder { path.join(format!("{stem}.{extension}")) } else { path }
+            if folder {
+                path.join(format!("{stem}.{extension}"))
+            } else {
+                path
+            }
         }
     };
     let format = format.or(Format::of(&path)).ok_or_else(|| {
@@ -103,7 +114,10 @@ fn output(
             path.display()
         ))
     })?;
-    Ok(Output { path: Some(path), format })
+    Ok(Output {
+        path: Some(path),
+        format,
+    })
 }
 
 /// The pattern with `{stem}` replaced; other words in braces are mistakes.
@@ -112,7 +126,9 @@ fn filled(pattern: &str, stem: &str) -> Result<String, Refused> {
     let mut rest = pattern;
     while let Some(open) = rest.find('{') {
         let (before, from_brace) = rest.split_at(open);
-        let Some(close) = from_brace.find('}') else { break };
+        let Some(close) = from_brace.find('}') else {
+            break;
+        };
         let word = &from_brace[1..close];
         if word != "stem" {
             let reason = format!("{{{word}}} in the output's name is unknown; {{stem}} is known");
@@ -130,11 +146,16 @@ fn place(path: &Path) -> Result<PathBuf, Refused> {
     if let Ok(place) = path.canonicalize() {
         return Ok(place);
     }
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
-    let folder = parent.unwrap_or(Path::new(".")).canonicalize().map_err(|error| Refused {
-        status: Status::Io,
-        reason: format!("cannot write {}: {error}", path.display()),
-    })?;
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let folder = parent
+        .unwrap_or(Path::new("."))
+        .canonicalize()
+        .map_err(|error| Refused {
+            status: Status::Io,
+            reason: format!("cannot write {}: {error}", path.display()),
+        })?;
     Ok(folder.join(path.file_name().unwrap_or_default()))
 }
 
@@ -151,13 +172,23 @@ mod tests {
 
     #[test]
     fn the_default_is_the_scenes_stem_here() {
-        assert_eq!(planned(&["deep/room.kdl", "-"], None).unwrap(), ["room.png", "stdin.png"]);
+        assert_eq!(
+            planned(&["deep/room.kdl", "-"], None).unwrap(),
+            ["room.png", "stdin.png"]
+        );
     }
 
     #[test]
     fn the_stem_is_filled_in() {
-        assert_eq!(planned(&["a.kdl", "b.kdl"], Some("{stem}-x.ppm")).unwrap(), ["a-x.ppm", "b-x.ppm"]);
-        assert!(planned(&["a.kdl"], Some("{step}.png")).unwrap_err().contains("{step}"));
+        assert_eq!(
+            planned(&["a.kdl", "b.kdl"], Some("{stem}-x.ppm")).unwrap(),
+            ["a-x.ppm", "b-x.ppm"]
+        );
+        assert!(
+            planned(&["a.kdl"], Some("{step}.png"))
+                .unwrap_err()
+                .contains("{step}")
+        );
     }
 
     #[test]
@@ -171,6 +202,10 @@ mod tests {
     fn a_scene_is_not_overwritten_and_folders_must_exist() {
         assert!(planned(&["Cargo.toml"], Some("Cargo.toml")).is_err());
         assert!(planned(&["a.kdl"], Some("no-such-folder/a.png")).is_err());
-        assert!(planned(&["a.kdl"], Some("a.gif")).unwrap_err().contains(".png, .ppm or .pfm"));
+        assert!(
+            planned(&["a.kdl"], Some("a.gif"))
+                .unwrap_err()
+                .contains(".png, .ppm or .pfm")
+        );
     }
 }

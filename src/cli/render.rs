@@ -45,9 +45,14 @@ pub(super) struct Options {
 /// A width and a height from `800x600`.
 fn size(text: &str) -> Result<[u32; 2], String> {
     const LONGEST: u32 = 32_768;
-    let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| {
-        Some([width.trim().parse::<u32>().ok()?, height.trim().parse::<u32>().ok()?])
-    });
+    let sides = text
+        .split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| {
+            Some([
+                width.trim().parse::<u32>().ok()?,
+                height.trim().parse::<u32>().ok()?,
+            ])
+        });
     match sides {
         Some(sides) if sides.iter().all(|side| (1..=LONGEST).contains(side)) => Ok(sides),
         Some(_) => Err(format!("width and height must be from 1 to {LONGEST}")),
@@ -56,9 +61,16 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let picture_formats: Vec<_> =
-        options.format.iter().filter_map(|word| word.picture()).collect();
-    let languages: Vec<_> = options.format.iter().filter_map(|word| word.language()).collect();
+    let picture_formats: Vec<_> = options
+        .format
+        .iter()
+        .filter_map(|word| word.picture())
+        .collect();
+    let languages: Vec<_> = options
+        .format
+        .iter()
+        .filter_map(|word| word.language())
+        .collect();
     if picture_formats.len() > 1 || languages.len() > 1 {
         messages.error("error: --format names one format for pictures and one for scenes at most");
         return Status::Usage;
@@ -67,7 +79,10 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         messages.error("error: --json and a picture cannot both go to standard output");
         return Status::Usage;
     }
-    let stdin = options.scenes.iter().filter(|scene| scene.as_os_str() == input::DASH);
+    let stdin = options
+        .scenes
+        .iter()
+        .filter(|scene| scene.as_os_str() == input::DASH);
     if stdin.count() > 1 {
         messages.error("error: standard input can be read only once");
         return Status::Usage;
@@ -104,7 +119,10 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         .map(|(scene, output)| one(scene, output, &reader, &pool, messages))
         .collect();
     if statuses.len() > 1 {
-        let ok = statuses.iter().filter(|status| **status == Status::Done).count();
+        let ok = statuses
+            .iter()
+            .filter(|status| **status == Status::Done)
+            .count();
         messages.note(&format!("{ok} ok, {} failed", statuses.len() - ok));
     }
     statuses.into_iter().fold(Status::Done, Status::worst)
@@ -143,14 +161,23 @@ fn one(
     };
     let hash = read.hash();
     if let Err(error) = write(&film, &read, &hash, output) {
-        let target = output.path.as_ref().map_or("standard output".into(), |path| {
-            path.display().to_string()
-        });
+        let target = output
+            .path
+            .as_ref()
+            .map_or("standard output".into(), |path| path.display().to_string());
         messages.error(&format!("error: cannot write {target}: {error}"));
         return Status::Io;
     }
     let status = non_finite(&film, &title, messages);
-    let done = Done { scene: &title, read: &read, counts, hash: &hash, output, start, status };
+    let done = Done {
+        scene: &title,
+        read: &read,
+        counts,
+        hash: &hash,
+        output,
+        start,
+        status,
+    };
     done.say(messages)
 }
 
@@ -170,7 +197,11 @@ impl Done<'_> {
     fn say(&self, messages: &Messages) -> Status {
         let picture = &self.read.picture;
         let seconds = self.start.elapsed().as_secs_f64();
-        let path = self.output.path.as_ref().map(|path| path.display().to_string());
+        let path = self
+            .output
+            .path
+            .as_ref()
+            .map(|path| path.display().to_string());
         if messages.json {
             let line = serde_json::json!({
                 "scene": self.scene,
@@ -187,7 +218,10 @@ impl Done<'_> {
         }
         let (width, height) = (picture.width, picture.height);
         let path = path.unwrap_or_else(|| "standard output".to_owned());
-        messages.note(&format!("{} -> {path}, {width}x{height}, {seconds:.2} s", self.scene));
+        messages.note(&format!(
+            "{} -> {path}, {width}x{height}, {seconds:.2} s",
+            self.scene
+        ));
         if messages.verbose {
             let counts = &self.counts;
             messages.note(&format!(
@@ -219,7 +253,10 @@ fn report(messages: &Messages, line: &str, status: Status) -> Status {
 fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
     let notes = Notes(vec![
-        ("Software", concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned()),
+        (
+            "Software",
+            concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned(),
+        ),
         ("Settings", settings.trim_end().to_owned()),
         ("Scene hash", hash.to_owned()),
     ]);
@@ -242,7 +279,11 @@ fn non_finite(film: &Film, title: &str, messages: &Messages) -> Status {
     if odd.is_empty() {
         return Status::Done;
     }
-    let places: Vec<_> = odd.iter().take(MOST).map(|(x, y)| format!("{x},{y}")).collect();
+    let places: Vec<_> = odd
+        .iter()
+        .take(MOST)
+        .map(|(x, y)| format!("{x},{y}"))
+        .collect();
     let more = if odd.len() > MOST { " …" } else { "" };
     messages.error(&format!(
         "error: {title}: {} pixels are infinite or not a number: {}{more}",

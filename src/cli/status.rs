@@ -46,7 +46,9 @@ impl Status {
             Status::No,
             Status::Done,
         ];
-        let found = FROM_WORST.into_iter().find(|status| [self, other].contains(status));
+        let found = FROM_WORST
+            .into_iter()
+            .find(|status| [self, other].contains(status));
         found.unwrap_or(self)
     }
 }

@@ -17,13 +17,22 @@ const XDIR_TOLERANCE: f64 = 0.1;
 /// Warnings about geometry that is allowed but probably not meant, in file order of their cause.
 #[must_use]
 pub fn check(scene: &Scene) -> Vec<Problem> {
-    let mut warnings: Vec<_> = scene.surfaces.iter().filter_map(|one| tilted_xdir(&**one)).collect();
+    let mut warnings: Vec<_> = scene
+        .surfaces
+        .iter()
+        .filter_map(|one| tilted_xdir(&**one))
+        .collect();
     warnings.extend(useless_lights(scene));
     if let Ok(camera) = scene.view.camera(scene.picture.width, scene.picture.height) {
-        let camera_warnings =
-            scene.surfaces.iter().filter_map(|one| around_camera(&**one, &camera));
+        let camera_warnings = scene
+            .surfaces
+            .iter()
+            .filter_map(|one| around_camera(&**one, &camera));
         warnings.extend(camera_warnings);
-        let behind = scene.surfaces.iter().filter(|one| !in_front(&***one, &camera, &scene.view));
+        let behind = scene
+            .surfaces
+            .iter()
+            .filter(|one| !in_front(&***one, &camera, &scene.view));
         warnings.extend(behind.filter_map(|one| never_in_front(&**one)));
     }
     warnings.extend(coincident(scene));
@@ -41,18 +50,28 @@ fn title(node: &Node, name: Option<&str>) -> String {
 fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
     let common = surface.common();
     let title = title(&surface.describe(), common.name.as_deref());
-    let at = common.location.unwrap_or(Location { source: 0, start: 0, length: 0 });
+    let at = common.location.unwrap_or(Location {
+        source: 0,
+        start: 0,
+        length: 0,
+    });
     Some(Problem::warning(at, format!("{title} {what}"), label))
 }
 
 /// An `xdir` that does not lie in the plane; it is projected, and the user should know.
 fn tilted_xdir(surface: &dyn Surface) -> Option<Problem> {
     let node = surface.describe();
-    if !node.schema.all_attributes().any(|attribute| attribute.word == "xdir") {
+    if !node
+        .schema
+        .all_attributes()
+        .any(|attribute| attribute.word == "xdir")
+    {
         return None;
     }
     let (normal, xdir) = (surface.flat()?.normal, unit(node.triple("xdir"))?);
-    let angle = libm::asin(normal.dot(xdir).clamp(-1.0, 1.0)).to_degrees().abs();
+    let angle = libm::asin(normal.dot(xdir).clamp(-1.0, 1.0))
+        .to_degrees()
+        .abs();
     if angle <= XDIR_TOLERANCE {
         return None;
     }
@@ -66,7 +85,10 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
     let lights = scene.lights.iter().filter(|light| {
         let location = Point::exact(light.location);
         !scene.surfaces.is_empty()
-            && scene.surfaces.iter().all(|surface| surface.side(&location) != Side::Front)
+            && scene
+                .surfaces
+                .iter()
+                .all(|surface| surface.side(&location) != Side::Front)
     });
     lights.filter_map(|light| {
         let title = title(&light.describe(), light.name.as_deref());
@@ -91,11 +113,16 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
     let eye = camera.viewpoint();
     let behind_screen = |point: &DVec3| match view {
         View::Screen { .. } => point.z <= 0.0,
-        View::LookAt { viewpoint, target, .. } => (*point - eye).dot(*target - *viewpoint) > 0.0,
+        View::LookAt {
+            viewpoint, target, ..
+        } => (*point - eye).dot(*target - *viewpoint) > 0.0,
     };
     match (surface.bounds(), surface.flat()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
-        (None, Some(flat)) => camera.corners().iter().any(|corner| meets(&flat, eye, *corner)),
+        (None, Some(flat)) => camera
+            .corners()
+            .iter()
+            .any(|corner| meets(&flat, eye, *corner)),
         (None, None) => true,
     }
 }
@@ -104,11 +131,20 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
 fn meets(flat: &Flat, eye: DVec3, direction: DVec3) -> bool {
     let origin = eye - flat.point;
     let (height, slope) = (-flat.normal.dot(origin), flat.normal.dot(direction));
-    Crossing { origin, height, slope }.is_ahead()
+    Crossing {
+        origin,
+        height,
+        slope,
+    }
+    .is_ahead()
 }
 
 fn never_in_front(surface: &dyn Surface) -> Option<Problem> {
-    let problem = warning(surface, "is never in front of the camera", "not seen directly")?;
+    let problem = warning(
+        surface,
+        "is never in front of the camera",
+        "not seen directly",
+    )?;
     Some(problem.help("it can still be seen in mirrors and cast shadows"))
 }
 
@@ -118,10 +154,11 @@ fn coincident(scene: &Scene) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (index, later) in scene.surfaces.iter().enumerate() {
         let earlier = (0..index).find(|earlier| {
-            supports[*earlier] == supports[index]
-                && overlap(&*scene.surfaces[*earlier], &**later)
+            supports[*earlier] == supports[index] && overlap(&*scene.surfaces[*earlier], &**later)
         });
-        let Some(earlier) = earlier.map(|index| &scene.surfaces[index]) else { continue };
+        let Some(earlier) = earlier.map(|index| &scene.surfaces[index]) else {
+            continue;
+        };
         let name = earlier.common().name.as_deref();
         let other = title(&earlier.describe(), name);
         let problem = warning(
@@ -137,7 +174,9 @@ fn coincident(scene: &Scene) -> Vec<Problem> {
 
 /// Whether two surfaces in one plane share an area, judged by the boxes around them.
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.bounds(), b.bounds()) else { return true };
+    let (Some(a), Some(b)) = (a.bounds(), b.bounds()) else {
+        return true;
+    };
     let shared = a.overlap(&b);
     let extents = shared.to_array().into_iter();
     shared.min_element() >= 0.0 && extents.filter(|extent| *extent > 0.0).count() >= 2
