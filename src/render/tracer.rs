@@ -130,7 +130,7 @@ impl<'a> Tracer<'a> {
             };
             let cosine = segment.ray.dir.dot(hit.normal);
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
-            color += diffuse * arriving * cosine / divisor;
+            color += diffuse * arriving * (cosine / divisor);
 
             let material = &surface.common().material;
             if material.shininess > 0.0 {

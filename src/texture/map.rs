@@ -73,15 +73,7 @@ mod tests {
             channels,
             deep: false,
         };
-        let file = "numbered.png".to_owned();
-        let path = file.clone().into();
-        Arc::new(Texture {
-            name: "numbered".into(),
-            file,
-            path,
-            texels,
-            divisor: 255.0,
-        })
+        Arc::new(Texture::new("numbered", "n.png", "n.png".into(), texels, 255.0))
     }
 
     fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
