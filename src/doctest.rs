@@ -19,7 +19,12 @@ pub fn surface(text: &str, origin: [f64; 3], direction: [f64; 3], expected: Opti
         material "white" {{ ambient 1 }}
         {text}"#
     );
-    let read = read_bytes("example", scene.into_bytes(), PathBuf::new(), &Options::default());
+    let read = read_bytes(
+        "example",
+        scene.into_bytes(),
+        PathBuf::new(),
+        &Options::default(),
+    );
     let reading = read.unwrap_or_else(|no| panic!("{:?}", no.problems));
     let ray = Ray::new(
         Point::exact(origin.into()),

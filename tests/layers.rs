@@ -27,7 +27,9 @@ fn imports_run_downward() {
     let mut wrong = Vec::new();
     for (path, text) in sources() {
         let room = room_of(&path);
-        let Some(floor) = floor_of(&room) else { continue };
+        let Some(floor) = floor_of(&room) else {
+            continue;
+        };
         for import in imported_rooms(&text) {
             let below = floor_of(&import).is_some_and(|imported| imported < floor);
             if !below && import != room {
@@ -35,7 +37,11 @@ fn imports_run_downward() {
             }
         }
     }
-    assert!(wrong.is_empty(), "imports must run to lower floors:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "imports must run to lower floors:\n{}",
+        wrong.join("\n")
+    );
 }
 
 #[test]
@@ -49,12 +55,26 @@ fn every_room_has_a_floor() {
 
 #[test]
 fn files_are_short() {
-    let lengths: Vec<_> =
-        sources().into_iter().map(|(path, text)| (text.lines().count(), path)).collect();
-    let long: Vec<_> = lengths.iter().filter(|(lines, _)| *lines > LONGEST_FILE).collect();
-    assert!(long.is_empty(), "files above {LONGEST_FILE} lines: {long:?}");
-    let short = lengths.iter().filter(|(lines, _)| *lines <= USUAL_LENGTH).count();
-    assert!(2 * short > lengths.len(), "most files should be below {USUAL_LENGTH} lines");
+    let lengths: Vec<_> = sources()
+        .into_iter()
+        .map(|(path, text)| (text.lines().count(), path))
+        .collect();
+    let long: Vec<_> = lengths
+        .iter()
+        .filter(|(lines, _)| *lines > LONGEST_FILE)
+        .collect();
+    assert!(
+        long.is_empty(),
+        "files above {LONGEST_FILE} lines: {long:?}"
+    );
+    let short = lengths
+        .iter()
+        .filter(|(lines, _)| *lines <= USUAL_LENGTH)
+        .count();
+    assert!(
+        2 * short > lengths.len(),
+        "most files should be below {USUAL_LENGTH} lines"
+    );
 }
 
 fn sources() -> Vec<(PathBuf, String)> {
@@ -88,7 +108,9 @@ fn floor_of(room: &str) -> Option<usize> {
 
 /// The rooms that a source names by `crate::`, outside of comments.
 fn imported_rooms(text: &str) -> Vec<String> {
-    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let code = text
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"));
     let named = code.flat_map(|line| line.split("crate::").skip(1));
     named
         .map(|rest| {

@@ -29,6 +29,7 @@ impl<'a> SurfaceList<'a> {
     #[must_use]
     pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&'a dyn Surface, Support, Hit)> {
         let mut best: Option<(&'a dyn Surface, Support, Hit)> = None;
+        let mut span = span;
         for &(surface, support) in &self.entries {
             if ray.leaves == Some(support) {
                 continue;
@@ -41,6 +42,7 @@ impl<'a> SurfaceList<'a> {
             }) {
                 continue;
             }
+            span = span.until(hit.t);
             best = Some((surface, support, hit));
         }
         best

@@ -75,7 +75,9 @@ impl Film {
         let mut bytes = vec![0; 3 * self.pixels.len()];
         for (bytes, pixel) in bytes.chunks_exact_mut(3).zip(&self.pixels) {
             // A code is at most 255, so its low byte is all of it.
-            let codes = pixel.channels().map(|c| rounding.code(c, 255).to_le_bytes()[0]);
+            let codes = pixel
+                .channels()
+                .map(|c| rounding.code(c, 255).to_le_bytes()[0]);
             bytes.copy_from_slice(&codes);
         }
         bytes

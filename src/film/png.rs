@@ -35,7 +35,11 @@ pub(super) fn write(
         Depth::Sixteen => {
             encoder.set_depth(png::BitDepth::Sixteen);
             let codes = |pixel: &Rgb| pixel.channels().map(|c| rounding.code(c, 65_535));
-            film.pixels().iter().flat_map(codes).flat_map(u16::to_be_bytes).collect()
+            film.pixels()
+                .iter()
+                .flat_map(codes)
+                .flat_map(u16::to_be_bytes)
+                .collect()
         }
     };
     let mut writer = encoder.write_header()?;

@@ -44,7 +44,9 @@ pub(super) fn load<'a>(
 fn read(node: &Node, name: &str, files: &Files) -> Result<Texture, DecodeError> {
     let path = path(node, files);
     let texels = decode(&path)?;
-    let divisor = node.property("divisor").map_or(255.0, |divisor| divisor.number());
+    let divisor = node
+        .property("divisor")
+        .map_or(255.0, |divisor| divisor.number());
     Ok(Texture::new(name, file(node), path, texels, divisor))
 }
 

@@ -73,7 +73,13 @@ mod tests {
             channels,
             deep: false,
         };
-        Arc::new(Texture::new("numbered", "n.png", "n.png".into(), texels, 255.0))
+        Arc::new(Texture::new(
+            "numbered",
+            "n.png",
+            "n.png".into(),
+            texels,
+            255.0,
+        ))
     }
 
     fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {

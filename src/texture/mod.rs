@@ -73,9 +73,18 @@ impl Texture {
         } else {
             (u16::from(u8::MAX), divisor)
         };
-        let intensities = (0..=largest).map(|channel| f64::from(channel) / unit).collect();
+        let intensities = (0..=largest)
+            .map(|channel| f64::from(channel) / unit)
+            .collect();
         let (name, file) = (name.to_owned(), file.to_owned());
-        Self { name, file, path, texels, divisor, intensities }
+        Self {
+            name,
+            file,
+            path,
+            texels,
+            divisor,
+            intensities,
+        }
     }
 
     /// The colour of a texel; column from the left, row from the top.
