@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use heliodon::language::render_problems;
 use heliodon::read::{Language, Options, Reading, read_bytes, read_file};
 use heliodon::render::render;
+use proptest::prelude::*;
 
 const FOLDER: &str = "tests/course";
 
@@ -223,5 +224,108 @@ fn scenes_without_oddities_have_no_warnings() {
             .iter()
             .any(|odd| path.ends_with(odd));
         assert_eq!(!reading.warnings.is_empty(), odd, "{}", path.display());
+    }
+}
+
+/// Words from which a text is made that is nearly a scene.
+const PIECES: &[&str] = &[
+    "camera",
+    "material",
+    "texplane",
+    "sphere",
+    "triangle",
+    "pplane",
+    "texture",
+    "cone",
+    "name",
+    "{",
+    "}",
+    "{",
+    "}",
+    "\n",
+    "normal",
+    "point",
+    "texname",
+    "mode",
+    "filename",
+    "radius",
+    "shader",
+    "dimension",
+    "1",
+    "-2.5",
+    "1e999",
+    "nan",
+    "<1,2,3>",
+    "//",
+    "#",
+    "ä\u{a0}",
+    "\"",
+    "<",
+    "oak.ppm",
+];
+
+fn nearly_a_scene() -> impl Strategy<Value = String> {
+    let piece = proptest::sample::select(PIECES);
+    proptest::collection::vec(piece, 0..60).prop_map(|pieces| pieces.join(" "))
+}
+
+fn try_to_read(text: &str) -> Result<Reading, heliodon::read::Rejection> {
+    let options = Options {
+        language: Some(Language::Course),
+        ..Options::default()
+    };
+    read_bytes("random.txt", text.into(), FOLDER.into(), &options)
+}
+
+proptest! {
+    #[test]
+    fn any_text_is_read_or_explained(text in nearly_a_scene()) {
+        if let Err(rejection) = try_to_read(&text) {
+            prop_assert!(!rejection.problems.is_empty());
+            let text = render_problems(&rejection.problems, &rejection.sources, false, 100);
+            prop_assert!(!text.is_empty());
+        }
+    }
+
+    #[test]
+    fn any_characters_are_read_or_explained(text in "\\PC*") {
+        prop_assert_eq!(Language::of(&text), Language::Kdl);
+        prop_assert!(try_to_read(&text).is_err());
+    }
+
+    #[test]
+    fn a_scene_that_is_cut_off_anywhere_is_explained(end in 0_usize..2_000) {
+        let whole = std::fs::read_to_string("tests/course/room.txt").expect("the room");
+        let text = &whole[..whole.floor_char_boundary(end)];
+        if let Err(rejection) = try_to_read(text) {
+            let names_nothing_missing =
+                rejection.problems.iter().all(|problem| !problem.message.contains("no material"));
+            // The camera is the first thing in the file, the materials are before the surfaces.
+            prop_assert!(names_nothing_missing);
+        }
+    }
+}
+
+#[test]
+fn long_texts_take_time_in_proportion() {
+    let many = 20_000;
+    for text in [
+        "{ ".repeat(many),
+        "} ".repeat(many),
+        "plane ".repeat(many),
+        "plane a { ".repeat(many),
+        "plane a { normal 1 } ".repeat(many),
+        "material a { } ".repeat(many),
+        "material a { ambient ".repeat(many),
+        format!("plane a {{ {} }}", "normal 0 0 1 ".repeat(many)),
+        format!("plane a {{ {} }}", "wrong 0 0 1 ".repeat(many)),
+        format!("plane a {{ normal {} }}", "1 ".repeat(many)),
+        "x".repeat(20 * many),
+        "// \n".repeat(many),
+    ] {
+        let start = std::time::Instant::now();
+        assert!(try_to_read(&text).is_err());
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(seconds < 2.0, "{seconds} s for {}", &text[..30]);
     }
 }

@@ -99,6 +99,15 @@ impl Node {
         self
     }
 
+    /// The same node, its last attribute standing at this place.
+    #[must_use]
+    pub fn last_at(mut self, location: Location) -> Self {
+        if let Some(last) = self.attributes.last_mut() {
+            last.location = Some(location);
+        }
+        self
+    }
+
     /// The same node with one more setting on its own line.
     ///
     /// # Panics

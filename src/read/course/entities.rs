@@ -54,16 +54,17 @@ pub(super) const ENTITIES: &[Entity] = &[
 
 /// The entities that are known but not drawn, and what comes near to them.
 pub(super) const UNSUPPORTED: &[(&str, &str)] = &[
-    ("psphere", "a `sphere`, without its procedure"),
-    ("pfplane", "an `fplane`, without its procedure"),
-    ("hplane", "an `fplane`, without holes"),
-    ("revsurf", "an `ellipsoid`, or several"),
-    ("cylinder", "an `fplane`, or several"),
+    ("psphere", "a plain `sphere`"),
+    ("pfplane", "a plain `fplane`"),
+    ("hplane", "an `fplane`, which has no holes,"),
+    ("revsurf", "one or more `ellipsoid`s"),
+    ("cylinder", "several `fplane`s"),
     ("cone", "several `triangle`s"),
 ];
 
 const CAMERA: &[Word] = &[
     Word::new("pixeldim")
+        .means("size")
         .role(Role::PictureSize)
         .takes_a(match Picture::SCHEMA.value {
             Some(size) => size.takes,
@@ -89,7 +90,10 @@ const LIGHT: &[Word] = &[
 
 const CONE: &[Word] = &[Word::new("point"), Word::new("theta")];
 
-const FILE: &[Word] = &[Word::new("filename").role(Role::File).takes_a(Takes::Path)];
+const FILE: &[Word] = &[Word::new("filename")
+    .means("file")
+    .role(Role::File)
+    .takes_a(Takes::Path)];
 
 const SURFACE: &[Word] = &[Word::new("material")];
 

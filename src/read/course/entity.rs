@@ -43,7 +43,8 @@ impl Block {
         self.find(means).and_then(|given| given.value.as_ref())
     }
 
-    fn find(&self, means: &str) -> Option<&Given> {
+    /// The attribute that means this.
+    pub(super) fn find(&self, means: &str) -> Option<&Given> {
         self.given.iter().find(|given| given.word.means == means)
     }
 }
@@ -180,6 +181,8 @@ fn body<'a>(
         tokens.next();
         if let Some(word) = block.entity.word(token.text) {
             attribute(block, word, token, tokens, problems);
+        } else if token.is_brace() {
+            problems.push(mistake::stray_brace(tokens, token));
         } else if !comment(token, tokens, problems) {
             problems.push(mistake::unknown_attribute(tokens, block, token));
             block.lost = true;

@@ -4,7 +4,7 @@ use super::entities::ENTITIES;
 use super::entity::Block;
 use super::tokens::{Token, Tokens};
 use super::words::Word;
-use crate::language::{Location, Problem, did_you_mean};
+use crate::language::{Location, Problem, Value, did_you_mean};
 
 pub(super) fn stray_brace(tokens: &Tokens<'_>, brace: Token<'_>) -> Problem {
     let text = brace.text;
@@ -28,15 +28,13 @@ pub(super) fn comment(tokens: &Tokens<'_>, token: Token<'_>) -> Problem {
         "the course's grammar has no comments",
         label,
     )
-    .help("remove the line, or convert the scene, which gives a file that can have them")
+    .help("remove it; a scene that is converted to KDL may have comments")
 }
 
 pub(super) fn unsupported(tokens: &Tokens<'_>, word: Token<'_>, instead: &str) -> Problem {
     let message = format!("`{}` is not supported yet", word.text);
-    Problem::error(tokens.at(word), message, "cannot be drawn").help(format!(
-        "remove it, or draw {instead}; there are {}",
-        entities()
-    ))
+    Problem::error(tokens.at(word), message, "cannot be drawn")
+        .help(format!("remove it, or draw {instead} instead"))
 }
 
 pub(super) fn unknown_entity(tokens: &Tokens<'_>, word: Token<'_>) -> Problem {
@@ -46,15 +44,20 @@ pub(super) fn unknown_entity(tokens: &Tokens<'_>, word: Token<'_>) -> Problem {
         message,
         "not a word of the course's grammar",
     );
-    match did_you_mean(word.text, ENTITIES.iter().map(|entity| entity.word)) {
-        None => problem.help(format!("there are {}", entities())),
+    let words = || ENTITIES.iter().map(|entity| entity.word);
+    let same = ENTITIES
+        .iter()
+        .find(|entity| entity.schema.word == word.text);
+    let suggestion = same
+        .map(|entity| entity.word)
+        .or_else(|| did_you_mean(word.text, words()));
+    match suggestion {
+        None => problem.help(format!(
+            "there are {}",
+            words().collect::<Vec<_>>().join(", ")
+        )),
         suggestion => problem.suggest(suggestion),
     }
-}
-
-fn entities() -> String {
-    let words: Vec<_> = ENTITIES.iter().map(|entity| entity.word).collect();
-    words.join(", ")
 }
 
 pub(super) fn nameless(tokens: &Tokens<'_>, word: Token<'_>) -> Problem {
@@ -102,15 +105,38 @@ pub(super) fn unknown_attribute(tokens: &Tokens<'_>, block: &Block, token: Token
     }
     let message = format!("`{}` has no attribute `{text}`", entity.word);
     let problem = Problem::error(at, message, "not known here");
-    match did_you_mean(text, entity.words().map(|word| word.word)) {
+    let same = entity
+        .words()
+        .find(|word| word.means == text)
+        .map(|word| word.word);
+    let suggestion = same.or_else(|| did_you_mean(text, entity.words().map(|word| word.word)));
+    let after_name = block
+        .given
+        .last()
+        .is_some_and(|last| matches!(last.value, Some(Value::Text(_))));
+    match suggestion {
+        None if after_name => problem.help(format!(
+            "it has {}; a name ends at the first space",
+            listed(block)
+        )),
         None => problem.help(format!("it has {}", listed(block))),
         suggestion => problem.suggest(suggestion),
     }
 }
 
+/// The attributes of an entity, each under its usual name.
 fn listed(block: &Block) -> String {
-    let words: Vec<_> = block.entity.words().map(|word| word.word).collect();
-    words.join(", ")
+    let mut words: Vec<&Word> = Vec::new();
+    for word in block.entity.words() {
+        if !words.iter().any(|known| known.means == word.means) {
+            words.push(word);
+        }
+    }
+    words
+        .iter()
+        .map(|word| word.word)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 pub(super) fn twice(word: &Word, earlier: &Word, at: Location) -> Problem {

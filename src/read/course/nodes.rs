@@ -60,7 +60,7 @@ fn add(
 ) -> Node {
     let means = given.word.means;
     match given.word.role {
-        Role::Attribute => located(node.with(means, value.clone()), given),
+        Role::Attribute => node.with(means, value.clone()).last_at(given.at),
         Role::Texture => {
             images.mention(value.text(), given.at);
             let mode = if block.value("mode").is_some_and(|mode| mode.number() == 1.0) {
@@ -69,30 +69,20 @@ fn add(
                 "clamp"
             };
             let properties = [("mode", mode.into())];
-            located(
-                node.with_entry(means, Some(value.clone()), &properties),
-                given,
-            )
+            node.with_entry(means, Some(value.clone()), &properties)
+                .last_at(given.at)
         }
         Role::Shader => {
             let word = shader(value);
             problems.push(shader_warning(given, value, word));
             match word {
-                Some(word) => located(node.with(means, word), given),
+                Some(word) => node.with(means, word).last_at(given.at),
                 None => node,
             }
         }
         Role::File => node.value(value.clone()),
         Role::PictureSize | Role::Mode | Role::Ignored => node,
     }
-}
-
-/// The node with the place of its last attribute.
-fn located(mut node: Node, given: &Given) -> Node {
-    if let Some(entry) = node.attributes.last_mut() {
-        entry.location = Some(given.at);
-    }
-    node
 }
 
 /// The formula with a number in the course's own examples.

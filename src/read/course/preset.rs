@@ -11,15 +11,17 @@ use crate::scene::{Lighting, Picture};
 pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
     /// How far a ray can come.
     const REACH: f64 = 20.0;
-    let value = |means| camera.and_then(|camera| camera.value(means)).cloned();
+    let given = |means| camera.and_then(|camera| camera.find(means));
     let mut picture = Node::new(&Picture::SCHEMA, None)
         .with_property("quantize", "truncate")
         .with_property("cut-off", 0.0);
-    picture.value = value("pixeldim");
+    picture.value = given("size").and_then(|size| size.value.clone());
     let mut view = Node::new(&View::SCHEMA, None);
     for word in ["viewpoint", "screen"] {
-        if let Some(value) = value(word) {
-            view = view.with(word, value);
+        if let Some((given, value)) =
+            given(word).and_then(|given| Some((given, given.value.clone()?)))
+        {
+            view = view.with(word, value).last_at(given.at);
         }
     }
     for node in [&mut picture, &mut view] {
