@@ -28,7 +28,9 @@ pub(super) struct Options {
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let (scene, output) = (options.scene.display(), options.output.display());
     if is_same_file(&options.scene, &options.output) {
-        messages.error(&format!("error: {output} would replace the scene it is made from"));
+        messages.error(&format!(
+            "error: {output} would replace the scene it is made from"
+        ));
         return Status::Usage;
     }
     let reading = match input::read(&options.scene, &options.format.options(), messages) {
@@ -40,7 +42,9 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         Some(folder) if !to_stdout => folder,
         _ => Path::new(""),
     };
-    let text = reading.scene.to_kdl(false, |texture| name_from(folder, texture));
+    let text = reading
+        .scene
+        .to_kdl(false, |texture| name_from(folder, texture));
     let written = if to_stdout {
         messages.result(&text)
     } else {
@@ -63,12 +67,18 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
 /// A texture's file as a scene in this folder names it, with `/` between folders on every system.
 pub(super) fn name_from(folder: &Path, texture: &Texture) -> String {
     let here = Path::new(".");
-    let folder = if folder.as_os_str().is_empty() { here } else { folder };
+    let folder = if folder.as_os_str().is_empty() {
+        here
+    } else {
+        folder
+    };
     let relative = match (texture.path.canonicalize(), folder.canonicalize()) {
         (Ok(file), Ok(folder)) => pathdiff::diff_paths(file, folder),
         _ => None,
     };
     let path = relative.unwrap_or_else(|| texture.path.clone());
-    let parts = path.components().map(|part| part.as_os_str().to_string_lossy());
+    let parts = path
+        .components()
+        .map(|part| part.as_os_str().to_string_lossy());
     parts.collect::<Vec<_>>().join("/").replacen("//", "/", 1)
 }

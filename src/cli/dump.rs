@@ -24,7 +24,9 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         Ok(reading) => reading,
         Err(failure) => return failure.status,
     };
-    let text = reading.scene.to_kdl(true, |texture| name_from(Path::new(""), texture));
+    let text = reading
+        .scene
+        .to_kdl(true, |texture| name_from(Path::new(""), texture));
     match messages.result(&text) {
         Ok(()) => Status::Done,
         Err(error) => {
