@@ -201,6 +201,31 @@ fn of_equal_names_the_first_counts() {
 }
 
 #[test]
+fn odd_names_survive_conversion() {
+    let scene = "camera c { pixeldim 8 6 worlddim 8 6 viewpoint 4 3 8 }\n";
+    for name in [
+        "a\"b",
+        "back\\slash",
+        "#true",
+        "-1",
+        "//",
+        "\u{202e}turned",
+        "\u{feff}",
+        "\u{7f}",
+        "é",
+    ] {
+        let material = format!("material {name} {{ ambient 1 1 1 }}");
+        let surface = format!("sphere {name} {{ material {name} center 4 3 -5 radius 1 }}");
+        let scene = try_to_read(&format!("{scene}{material}\n{surface}"))
+            .expect("a scene")
+            .scene;
+        let again = read_kdl(&scene.to_kdl(false, |texture| texture.file.clone())).scene;
+        assert_eq!(again.hash(), scene.hash(), "{name:?}");
+        assert_eq!(again.materials[0].name, name);
+    }
+}
+
+#[test]
 fn files_are_looked_for_beside_the_scene_and_where_the_program_runs() {
     let scene = course("files.txt").scene;
     let paths: Vec<_> = scene
@@ -320,6 +345,11 @@ fn long_texts_take_time_in_proportion() {
         format!("plane a {{ {} }}", "normal 0 0 1 ".repeat(many)),
         format!("plane a {{ {} }}", "wrong 0 0 1 ".repeat(many)),
         format!("plane a {{ normal {} }}", "1 ".repeat(many)),
+        format!(
+            "plane a {{ {} {} }}",
+            "normal 0 0 1 ".repeat(many),
+            "point 0 0 1 ".repeat(many)
+        ),
         "x".repeat(20 * many),
         "// \n".repeat(many),
     ] {

@@ -49,10 +49,9 @@ impl Block {
     }
 }
 
-/// Reads the next entity and whatever stands before it.
+/// Takes the next entity.
 ///
-/// `None` if there is none or it is not one that is drawn; either way tokens are taken until none
-/// is left.
+/// `None` if what comes next is no entity, or not one that is drawn; it is taken all the same.
 pub(super) fn read(tokens: &mut Tokens<'_>, problems: &mut Vec<Problem>) -> Option<Block> {
     let word = tokens.next()?;
     if word.is_brace() {
@@ -92,18 +91,12 @@ pub(super) fn read(tokens: &mut Tokens<'_>, problems: &mut Vec<Problem>) -> Opti
 
 /// Takes a comment, which the grammar does not have, if that is what a token begins.
 fn comment<'a>(token: Token<'a>, tokens: &mut Tokens<'a>, problems: &mut Vec<Problem>) -> bool {
-    let found = comment_begins(token);
+    let found = token.begins_comment();
     if found {
         problems.push(mistake::comment(tokens, token));
         tokens.skip_line(token.line);
     }
     found
-}
-
-fn comment_begins(token: Token<'_>) -> bool {
-    ["#", "//", "/*"]
-        .iter()
-        .any(|start| token.text.starts_with(start))
 }
 
 /// Takes what is left of an entity whose word is not known.
@@ -199,20 +192,17 @@ fn attribute<'a>(
     tokens: &mut Tokens<'a>,
     problems: &mut Vec<Problem>,
 ) {
-    let value = values::read(block.entity, word, token, tokens);
+    let read = values::read(block.entity, word, token, tokens);
     let at = tokens.span(token, tokens.last().unwrap_or(token));
-    if let Some(earlier) = block.find(word.means) {
-        problems.push(mistake::twice(word, earlier.word, at));
-    }
-    let value = value.map_err(|problem| {
+    let value = read.unwrap_or_else(|problem| {
         problems.push(problem);
         skip_values(block.entity, tokens);
+        None
     });
-    block.given.push(Given {
-        word,
-        value: value.ok(),
-        at,
-    });
+    match block.find(word.means) {
+        Some(earlier) => problems.push(mistake::twice(word, earlier.word, at)),
+        None => block.given.push(Given { word, value, at }),
+    }
 }
 
 /// Takes what cannot be understood until something that can.
@@ -221,7 +211,7 @@ fn skip_values(entity: &Entity, tokens: &mut Tokens<'_>) {
         let understood = token.is_brace()
             || tokens.entity_begins()
             || entity.word(token.text).is_some()
-            || comment_begins(token);
+            || token.begins_comment();
         if understood {
             return;
         }

@@ -92,8 +92,11 @@ pub(super) fn cut_short(tokens: &Tokens<'_>, block: &Block, word: Token<'_>) -> 
 
 /// An entity by its word and name.
 fn called(block: &Block) -> String {
-    let name = block.name.as_deref().unwrap_or("without a name");
-    format!("`{} {name}`", block.entity.word)
+    let word = block.entity.word;
+    match &block.name {
+        Some(name) => format!("`{word} {name}`"),
+        None => format!("this `{word}`"),
+    }
 }
 
 pub(super) fn unknown_attribute(tokens: &Tokens<'_>, block: &Block, token: Token<'_>) -> Problem {

@@ -18,6 +18,12 @@ impl Token<'_> {
         matches!(self.text, "{" | "}")
     }
 
+    /// Whether it looks like the beginning of a comment, which the grammar does not have.
+    pub(super) fn begins_comment(&self) -> bool {
+        let marks = ["#", "//", "/*"];
+        marks.iter().any(|mark| self.text.starts_with(mark))
+    }
+
     /// The number that it is in the course's writing: what C reads with `%lf`, but for hexadecimal
     /// numbers, infinities and not-a-number.
     pub(super) fn number(&self) -> Option<f64> {

@@ -6,28 +6,28 @@ use crate::language::{Attribute, Location, Problem, Takes, Value};
 use crate::read::check::{self, Raw};
 
 /// Takes the value that follows an attribute's word.
+///
+/// # Errors
+/// What is wrong with it; the rest of it may then be left among the tokens.
 pub(super) fn read<'a>(
     entity: &Entity,
     word: &Word,
     at: Token<'a>,
     tokens: &mut Tokens<'a>,
-) -> Result<Value, Problem> {
+) -> Result<Option<Value>, Problem> {
     let takes = word.takes(entity);
     if let Takes::Name(_) | Takes::Path = takes {
         let name = name(entity, tokens);
         return name
-            .map(Value::from)
+            .map(|name| Some(Value::from(name)))
             .ok_or_else(|| no_name(word, takes, tokens.at(at)));
     }
     let numbers = numbers(entity, takes, tokens);
     let attribute = Attribute::new(word.word, takes, "");
-    let value = check::value(&attribute, &numbers, tokens.at(at));
-    value
-        .map(|value| value.unwrap_or(Value::Number(0.0)))
-        .map_err(|problem| match word.role {
-            Role::Mode => problem.help("0 stretches the image over the plane, 1 tiles it"),
-            _ => problem,
-        })
+    check::value(&attribute, &numbers, tokens.at(at)).map_err(|problem| match word.role {
+        Role::Mode => problem.help("0 stretches the image over the plane, 1 tiles it"),
+        _ => problem,
+    })
 }
 
 /// Takes one token, unless it belongs to what follows.
@@ -71,7 +71,12 @@ fn numbers(entity: &Entity, takes: Takes, tokens: &mut Tokens<'_>) -> Vec<(Raw, 
         let enough = raws.len() >= expected;
         let ends = match number {
             Some(_) => enough && !all_numbers,
-            None => enough || token.is_brace() || entity.word(token.text).is_some(),
+            None => {
+                enough
+                    || token.is_brace()
+                    || token.begins_comment()
+                    || entity.word(token.text).is_some()
+            }
         };
         if ends || tokens.entity_begins() {
             break;
