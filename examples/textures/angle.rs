@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// The sine of an angle in radians, to about 1e-9.
-pub fn sine(angle: f64) -> f64 {
+pub(crate) fn sine(angle: f64) -> f64 {
     let turn = angle / TAU;
     let mut x = (turn - (turn + 0.5).floor()) * TAU;
     // Fold into the quarter around zero, where the series is short.
@@ -20,12 +20,12 @@ pub fn sine(angle: f64) -> f64 {
 }
 
 /// The cosine of an angle in radians.
-pub fn cosine(angle: f64) -> f64 {
+pub(crate) fn cosine(angle: f64) -> f64 {
     sine(angle + FRAC_PI_2)
 }
 
 /// The angle of the vector (x, y) against the x axis, from -pi to pi.
-pub fn direction(x: f64, y: f64) -> f64 {
+pub(crate) fn direction(x: f64, y: f64) -> f64 {
     let (low, high) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
     if high == 0.0 {
         return 0.0;

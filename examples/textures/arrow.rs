@@ -7,7 +7,7 @@ use crate::colour::Colour;
 const SIZE: usize = 8;
 
 /// Draws the picture: red grows to the right, green grows downwards.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     // At a pixel's centre x is column + 0.5, so 32 x is 32 column + 16.
     Canvas::paint(SIZE, SIZE, 1, |x, y| {
         Colour([32.0 * x, 32.0 * y, 128.0]) * (1.0 / 255.0)

@@ -19,12 +19,12 @@ const MORTAR: f64 = 1.05;
 const BEVEL: f64 = 1.5;
 
 /// Draws the small picture.
-pub fn draw_small() -> Canvas {
+pub(crate) fn draw_small() -> Canvas {
     Canvas::paint(SIZE, SIZE, 4, |x, y| shade((x, y), 0))
 }
 
 /// Draws the enlarged picture: the same bricks, with finer roughness than the small one shows.
-pub fn draw_large() -> Canvas {
+pub(crate) fn draw_large() -> Canvas {
     let side = SIZE * ENLARGEMENT;
     let scale = 1.0 / as_float(ENLARGEMENT);
     Canvas::paint(side, side, 3, |x, y| shade((x * scale, y * scale), 1))

@@ -44,7 +44,7 @@ const LAYERS: [Layer; 4] = [
 const STRAY: f64 = 0.15;
 
 /// Paints `source` anew on a copy of itself.
-pub fn repaint(source: &Canvas) -> Canvas {
+pub(crate) fn repaint(source: &Canvas) -> Canvas {
     let mut canvas = source.clone();
     for (number, layer) in (0_u32..).zip(&LAYERS) {
         let mut strokes = plan(source, layer, 100 + number * 10);

@@ -9,7 +9,7 @@ use crate::vector::{Vector, vector};
 
 /// What a point of the sitter's surface is made of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Part {
+pub(crate) enum Part {
     /// Face, neck and chest.
     Skin,
     /// One of the eyeballs.
@@ -31,14 +31,14 @@ const TURN: (f64, f64) = (0.40, 0.916_5);
 const TILT: (f64, f64) = (0.087, 0.996_2);
 
 /// Turns a point of the picture's space into the head's own, in which the face looks along z.
-pub fn head(p: Vector) -> Vector {
+pub(crate) fn head(p: Vector) -> Vector {
     let (x, z) = (p.x * TURN.1 + p.z * TURN.0, p.z * TURN.1 - p.x * TURN.0);
     let (x, y) = (x * TILT.1 + p.y * TILT.0, p.y * TILT.1 - x * TILT.0);
     vector(x, y, z)
 }
 
 /// The distance to the nearest part of the sitter, and which part that is.
-pub fn sitter(p: Vector) -> (f64, Part) {
+pub(crate) fn sitter(p: Vector) -> (f64, Part) {
     let h = head(p);
     let neck = cone(
         p,

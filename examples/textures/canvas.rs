@@ -8,7 +8,7 @@ use std::thread;
 
 /// A picture: rows of red, green, blue bytes, the top row first.
 #[derive(Clone)]
-pub struct Canvas {
+pub(crate) struct Canvas {
     width: usize,
     height: usize,
     pixels: Vec<[u8; 3]>,
@@ -19,7 +19,7 @@ impl Canvas {
     ///
     /// The point (x, y) is measured in pixels from the top left corner. Every pixel is the mean
     /// of `grid` times `grid` points, which softens the edges.
-    pub fn paint(
+    pub(crate) fn paint(
         width: usize,
         height: usize,
         grid: u32,
@@ -49,27 +49,27 @@ impl Canvas {
     }
 
     /// The number of pixels in a row.
-    pub fn width(&self) -> usize {
+    pub(crate) fn width(&self) -> usize {
         self.width
     }
 
     /// The number of rows.
-    pub fn height(&self) -> usize {
+    pub(crate) fn height(&self) -> usize {
         self.height
     }
 
     /// The colour of a pixel.
-    pub fn get(&self, column: usize, row: usize) -> Colour {
+    pub(crate) fn get(&self, column: usize, row: usize) -> Colour {
         Colour::from_bytes(self.pixels[row * self.width + column])
     }
 
     /// Replaces the colour of a pixel.
-    pub fn set(&mut self, column: usize, row: usize, colour: Colour) {
+    pub(crate) fn set(&mut self, column: usize, row: usize, colour: Colour) {
         self.pixels[row * self.width + column] = colour.to_bytes();
     }
 
     /// Writes the picture as a PNG file without any metadata.
-    pub fn write(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    pub(crate) fn write(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let file = BufWriter::new(File::create(path)?);
         let mut encoder = png::Encoder::new(
             file,
@@ -101,7 +101,10 @@ fn average(column: usize, row: usize, grid: u32, shade: &impl Fn(f64, f64) -> Co
 }
 
 /// A pixel count as a coordinate.
-#[allow(clippy::cast_precision_loss)] // Pictures are far smaller than 2^53 pixels.
-pub fn as_float(count: usize) -> f64 {
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "Pictures are far smaller than 2^53 pixels"
+)]
+pub(crate) fn as_float(count: usize) -> f64 {
     count as f64
 }

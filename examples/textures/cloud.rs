@@ -6,7 +6,7 @@ use crate::shape::{length, smooth};
 use crate::vector::{Vector, vector};
 
 /// The direction towards the sun, which stands to the upper left.
-pub const SUN: Vector = vector(-0.74, 0.52, 0.36);
+pub(crate) const SUN: Vector = vector(-0.74, 0.52, 0.36);
 /// How far the clouds reach below their highest tops; the eye is 1 above the tops.
 const THICKNESS: f64 = 0.52;
 /// The period of noise that never repeats.
@@ -15,7 +15,7 @@ const ENDLESS: [i64; 2] = [0, 0];
 const STEPS: u32 = 72;
 
 /// The colour seen in a direction.
-pub fn sky(direction: Vector) -> Colour {
+pub(crate) fn sky(direction: Vector) -> Colour {
     let ray = direction.unit();
     if ray.y >= 0.0 { air(ray) } else { sea(ray) }
 }

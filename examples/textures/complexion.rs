@@ -10,7 +10,7 @@ use crate::shape::{bump, length, smooth};
 use crate::vector::{Vector, vector};
 
 /// The colours of a material in full light, in half light and in shade.
-pub type Ramp = [Colour; 3];
+pub(crate) type Ramp = [Colour; 3];
 
 /// Three hexadecimal colours as a ramp.
 fn ramp(light: u32, half: u32, shade: u32) -> Ramp {
@@ -23,7 +23,7 @@ fn blend(a: Ramp, b: Ramp, share: f64) -> Ramp {
 }
 
 /// The paint for a point on a part of the sitter.
-pub fn paint(part: Part, p: Vector) -> Ramp {
+pub(crate) fn paint(part: Part, p: Vector) -> Ramp {
     let h = head(p);
     match part {
         Part::Skin => skin(h),

@@ -5,11 +5,11 @@ use crate::solid::{ball, carve, cone, join};
 use crate::vector::{Vector, vector};
 
 /// The middle of the eyeball on the positive side.
-pub const EYE: Vector = vector(0.295, 0.02, 0.60);
+pub(crate) const EYE: Vector = vector(0.295, 0.02, 0.60);
 /// Half the width and height of the opening between the lids.
-pub const OPENING: (f64, f64) = (0.163, 0.082);
+pub(crate) const OPENING: (f64, f64) = (0.163, 0.082);
 /// The face with the lids, without the eyeballs, in head coordinates.
-pub fn face(h: Vector) -> f64 {
+pub(crate) fn face(h: Vector) -> f64 {
     let f = h.folded();
     let skull = ball(h, vector(0.0, 0.36, -0.15), vector(0.78, 0.90, 0.95));
     let mask = ball(h, vector(0.0, -0.13, 0.12), vector(0.605, 0.92, 0.72));
@@ -51,7 +51,7 @@ pub fn face(h: Vector) -> f64 {
 }
 
 /// The signed distance to the almond between the lids, seen from the front.
-pub fn lid_gap(f: Vector) -> f64 {
+pub(crate) fn lid_gap(f: Vector) -> f64 {
     // The outer corner lies a little higher than the inner one.
     let y = f.y - EYE.y - 0.10 * (f.x - EYE.x);
     let flat = if y > 0.0 { y } else { y * 1.35 };
@@ -103,6 +103,6 @@ fn lips(f: Vector) -> f64 {
 }
 
 /// The eyeball on either side.
-pub fn eyeball(h: Vector) -> f64 {
+pub(crate) fn eyeball(h: Vector) -> f64 {
     (h.folded() - EYE).length() - 0.168
 }

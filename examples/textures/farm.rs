@@ -17,7 +17,7 @@ const CROWN: [(f64, f64, f64); 6] = [
 ];
 
 /// A white house with a red roof.
-pub fn house(p: Point, under: Colour) -> Colour {
+pub(crate) fn house(p: Point, under: Colour) -> Colour {
     let wall = rectangle(p, (216.0, 172.0), (31.0, 20.0), 0.0);
     let side = Colour::hex(0xff_f2_d6).mix(Colour::hex(0xdc_c4_a0), smooth(228.0, 230.0, p.0));
     let mut picture = under.cover(side, wall);
@@ -56,7 +56,7 @@ pub fn house(p: Point, under: Colour) -> Colour {
 }
 
 /// A round tree on the left with its shadow.
-pub fn tree(p: Point, under: Colour) -> Colour {
+pub(crate) fn tree(p: Point, under: Colour) -> Colour {
     let shadow = ellipse(p, (82.0, 203.0), (34.0, 5.0));
     let mut picture = under.mix(Colour::hex(0x1c_66_2c), 0.55 * smooth(3.0, -3.0, shadow));
     let trunk =

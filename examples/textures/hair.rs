@@ -10,7 +10,7 @@ use crate::vector::{Vector, vector};
 const PARTING: (f64, f64) = (0.22, 1.46);
 
 /// A wavy bob with a side parting.
-pub fn hair(h: Vector) -> f64 {
+pub(crate) fn hair(h: Vector) -> f64 {
     let f = h.folded();
     let cap = ball(h, vector(0.0, 0.38, -0.20), vector(0.90, 1.00, 1.04));
     let opening = ball(h, vector(0.05, -0.30, 0.98), vector(0.66, 1.06, 0.80));
@@ -61,7 +61,7 @@ pub fn hair(h: Vector) -> f64 {
 }
 
 /// The strands of the hair, from 0 in a furrow to 1 on a lock.
-pub fn strands(h: Vector) -> f64 {
+pub(crate) fn strands(h: Vector) -> f64 {
     let (x, y) = (h.x - PARTING.0, h.y - PARTING.1);
     let turn = direction(-y, x);
     let away = (x * x + y * y).sqrt();

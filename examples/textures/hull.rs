@@ -25,7 +25,7 @@ const PITCH: f64 = 16.0;
 const RIVETS: f64 = 6.0;
 
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     Canvas::paint(WIDTH, HEIGHT, 4, |x, y| {
         let p = (x, y);
         let metal = dirt(p, plates(p));

@@ -3,7 +3,11 @@
 use crate::shape::smooth;
 
 /// A thoroughly mixed number for a place of the grid; equal places give equal numbers.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // Only the bits matter.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "Only the bits matter"
+)]
 fn hash(place: [i64; 3], seed: u32) -> u32 {
     let mut state = seed.wrapping_mul(0x9e37_79b9) ^ 0x51ed_270b;
     for part in place {
@@ -16,19 +20,22 @@ fn hash(place: [i64; 3], seed: u32) -> u32 {
 }
 
 /// A random number from 0 to 1 for a place of the grid.
-pub fn random(place: [i64; 3], seed: u32) -> f64 {
+pub(crate) fn random(place: [i64; 3], seed: u32) -> f64 {
     f64::from(hash(place, seed)) / f64::from(u32::MAX)
 }
 
 /// The grid place at or before a coordinate.
-#[allow(clippy::cast_possible_truncation)] // Coordinates stay far below 2^63.
-pub fn cell(coordinate: f64) -> i64 {
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "Coordinates stay far below 2^63"
+)]
+pub(crate) fn cell(coordinate: f64) -> i64 {
     coordinate.floor() as i64
 }
 
 /// A grid index as a coordinate.
-#[allow(clippy::cast_precision_loss)] // Indices stay far below 2^53.
-pub fn corner(index: i64) -> f64 {
+#[expect(clippy::cast_precision_loss, reason = "Indices stay far below 2^53")]
+pub(crate) fn corner(index: i64) -> f64 {
     index as f64
 }
 
@@ -42,7 +49,7 @@ fn wrap(index: i64, period: i64) -> i64 {
 }
 
 /// Smooth noise from 0 to 1 in the plane, which repeats after `period` cells (0 for never).
-pub fn plane(x: f64, y: f64, seed: u32, period: [i64; 2]) -> f64 {
+pub(crate) fn plane(x: f64, y: f64, seed: u32, period: [i64; 2]) -> f64 {
     let (column, row) = (cell(x), cell(y));
     let (u, v) = (
         smooth(0.0, 1.0, x - corner(column)),
@@ -64,7 +71,7 @@ pub fn plane(x: f64, y: f64, seed: u32, period: [i64; 2]) -> f64 {
 }
 
 /// Plane noise summed over octaves, each twice as fine and half as strong; from 0 to 1.
-pub fn fractal(x: f64, y: f64, octaves: u32, seed: u32, period: [i64; 2]) -> f64 {
+pub(crate) fn fractal(x: f64, y: f64, octaves: u32, seed: u32, period: [i64; 2]) -> f64 {
     let (mut sum, mut weight, mut total, mut scale, mut repeat) = (0.0, 1.0, 0.0, 1.0, period);
     for octave in 0..octaves {
         sum += weight * plane(x * scale, y * scale, seed.wrapping_add(octave), repeat);
@@ -77,7 +84,7 @@ pub fn fractal(x: f64, y: f64, octaves: u32, seed: u32, period: [i64; 2]) -> f64
 }
 
 /// Smooth noise from 0 to 1 in space.
-pub fn space(point: [f64; 3], seed: u32) -> f64 {
+pub(crate) fn space(point: [f64; 3], seed: u32) -> f64 {
     let base = point.map(cell);
     let [u, v, w] = [0, 1, 2].map(|axis| smooth(0.0, 1.0, point[axis] - corner(base[axis])));
     let at = |a: i64, b: i64, c: i64| random([base[0] + a, base[1] + b, base[2] + c], seed);
@@ -90,7 +97,7 @@ pub fn space(point: [f64; 3], seed: u32) -> f64 {
 }
 
 /// Space noise summed over octaves, each twice as fine and half as strong; from 0 to 1.
-pub fn fractal_space(point: [f64; 3], octaves: u32, seed: u32) -> f64 {
+pub(crate) fn fractal_space(point: [f64; 3], octaves: u32, seed: u32) -> f64 {
     let (mut sum, mut weight, mut total, mut scale) = (0.0, 1.0, 0.0, 1.0);
     for octave in 0..octaves {
         sum += weight * space(point.map(|part| part * scale), seed.wrapping_add(octave));
@@ -102,7 +109,7 @@ pub fn fractal_space(point: [f64; 3], octaves: u32, seed: u32) -> f64 {
 }
 
 /// The distance to the nearest of one random point per cell; about 0 to 1.
-pub fn puffs(x: f64, y: f64, seed: u32) -> f64 {
+pub(crate) fn puffs(x: f64, y: f64, seed: u32) -> f64 {
     let (i, j) = (cell(x), cell(y));
     let mut nearest = 2.0_f64;
     for b in -1..=1 {

@@ -23,7 +23,7 @@ const WARMTHS: [f64; 4] = [0.2, 0.55, 0.0, 0.8];
 const GAP: f64 = 0.55;
 
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     Canvas::paint(SIZE, SIZE, 4, shade)
 }
 

@@ -13,7 +13,7 @@ const WIDTH: usize = 512;
 const SHORE: f64 = 0.53;
 
 /// Draws the picture: the north pole along the top row, the equator in the middle.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     let scale = PI / as_float(WIDTH / 2);
     Canvas::paint(WIDTH, WIDTH / 2, 3, |x, y| {
         let longitude = x / as_float(WIDTH) * TAU;

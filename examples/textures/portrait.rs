@@ -25,7 +25,7 @@ const SMOOTHNESS: f64 = 0.3;
 const DEPTH: (f64, f64) = (1.8, -1.8);
 
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     let sketch = Canvas::paint(WIDTH, HEIGHT, 2, |x, y| {
         let (right, up) = ((x - MIDDLE.0) / SCALE, (MIDDLE.1 - y) / SCALE);
         let colour = match hit(right, up) {

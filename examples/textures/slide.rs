@@ -26,7 +26,7 @@ const PUFFS: [(f64, f64, f64); 9] = [
     (137.0, 85.0, 8.0),
 ];
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     Canvas::paint(WIDTH, HEIGHT, 4, |x, y| {
         let p = (x, y);
         let picture = tree(p, house(p, meadow(p, hills(p, clouds(p, heaven(p))))));

@@ -37,7 +37,7 @@ const VIOLET: u32 = 0x6e_22_9e;
 type Pane = (u32, i64, f64);
 
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     Canvas::paint(WIDTH, HEIGHT, 4, |x, y| {
         let (hue, number, distance) = pane((x, y));
         glass((x, y), hue, number, distance)

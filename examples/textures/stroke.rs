@@ -6,23 +6,23 @@ use crate::noise::{cell, plane};
 use crate::shape::{Point, length, smooth};
 
 /// A stroke that is about to be drawn.
-pub struct Stroke {
+pub(crate) struct Stroke {
     /// The point in its middle.
-    pub middle: Point,
+    pub(crate) middle: Point,
     /// The direction of the brush, of length 1.
-    pub along: Point,
+    pub(crate) along: Point,
     /// The paint on the brush.
-    pub colour: Colour,
+    pub(crate) colour: Colour,
     /// Half its length in pixels.
-    pub reach: f64,
+    pub(crate) reach: f64,
     /// Half its width in pixels.
-    pub radius: f64,
+    pub(crate) radius: f64,
     /// Its place in the order of drawing; also tells its bristles from those of others.
-    pub key: f64,
+    pub(crate) key: f64,
 }
 
 /// Draws one stroke with the traces of its bristles.
-pub fn draw(canvas: &mut Canvas, stroke: &Stroke) {
+pub(crate) fn draw(canvas: &mut Canvas, stroke: &Stroke) {
     let extent = stroke.reach + stroke.radius + 1.0;
     let range = |middle: f64, size: usize| {
         let from = usize::try_from(cell(middle - extent)).unwrap_or(0);

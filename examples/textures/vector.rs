@@ -4,40 +4,40 @@ use std::ops::{Add, Mul, Sub};
 
 /// A point or a direction: x to the right, y up, z towards the viewer.
 #[derive(Clone, Copy, Debug)]
-pub struct Vector {
-    pub x: f64,
-    pub y: f64,
-    pub z: f64,
+pub(crate) struct Vector {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) z: f64,
 }
 
 /// A short way to write a vector.
-pub const fn vector(x: f64, y: f64, z: f64) -> Vector {
+pub(crate) const fn vector(x: f64, y: f64, z: f64) -> Vector {
     Vector { x, y, z }
 }
 
 impl Vector {
     /// The inner product.
-    pub fn dot(self, other: Self) -> f64 {
+    pub(crate) fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// The length.
-    pub fn length(self) -> f64 {
+    pub(crate) fn length(self) -> f64 {
         self.dot(self).sqrt()
     }
 
     /// The direction alone, of length 1.
-    pub fn unit(self) -> Self {
+    pub(crate) fn unit(self) -> Self {
         self * (1.0 / self.length())
     }
 
     /// The product, axis by axis.
-    pub fn scale(self, other: Self) -> Self {
+    pub(crate) fn scale(self, other: Self) -> Self {
         vector(self.x * other.x, self.y * other.y, self.z * other.z)
     }
 
     /// The mirror image on the positive side of the x axis.
-    pub fn folded(self) -> Self {
+    pub(crate) fn folded(self) -> Self {
         vector(self.x.abs(), self.y, self.z)
     }
 }

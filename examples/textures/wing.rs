@@ -26,7 +26,7 @@ const KINK: f64 = 5.2;
 const FAIRINGS: [f64; 3] = [4.4, 7.6, 10.6];
 
 /// Draws the picture.
-pub fn draw() -> Canvas {
+pub(crate) fn draw() -> Canvas {
     let backdrop = Canvas::paint(WIDTH, HEIGHT, 2, |x, y| sky(ray(x, y)));
     Canvas::paint(WIDTH, HEIGHT, 4, |x, y| {
         let pixel = |value: f64| usize::try_from(cell(value)).unwrap_or(0);

@@ -6,7 +6,7 @@ use crate::vector::Vector;
 
 /// The colour of the wing tip in a direction, if it is there; it stands at the distance `tip`,
 /// and its foot is at the height `foot` against the eye.
-pub fn winglet(ray: Vector, tip: f64, foot: f64) -> Option<Colour> {
+pub(crate) fn winglet(ray: Vector, tip: f64, foot: f64) -> Option<Colour> {
     const LEAN: f64 = 0.22;
     const OUTLINE: [Point; 7] = [
         (1.0, 0.0),

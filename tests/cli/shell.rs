@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// A picture of a floor and a ball, in a few milliseconds.
-pub const SCENE: &str = r#"
+pub(crate) const SCENE: &str = r#"
 image 40 30
 camera { viewpoint 0 1 4; look-at 0 1 0 }
 material "chalk" { ambient 1; diffuse 3; specular 0.3; shininess 9 }
@@ -16,45 +16,45 @@ sphere "ball" { material "chalk"; center 0 1 0; radius 1 }
 "#;
 
 /// An empty folder that vanishes with its test.
-pub struct Shell {
+pub(crate) struct Shell {
     folder: tempfile::TempDir,
 }
 
 /// How a run of the program ended.
-pub struct Run {
-    pub code: Option<i32>,
-    pub stdout: Vec<u8>,
-    pub stderr: String,
+pub(crate) struct Run {
+    pub(crate) code: Option<i32>,
+    pub(crate) stdout: Vec<u8>,
+    pub(crate) stderr: String,
 }
 
 impl Shell {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             folder: tempfile::tempdir().expect("a temporary folder"),
         }
     }
 
     /// A folder with the scene above as `scene.kdl`.
-    pub fn with_scene() -> Self {
+    pub(crate) fn with_scene() -> Self {
         let shell = Self::new();
         shell.write("scene.kdl", SCENE);
         shell
     }
 
-    pub fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
-    pub fn write(&self, name: &str, text: &str) {
+    pub(crate) fn write(&self, name: &str, text: &str) {
         fs::write(self.path(name), text).expect("a file in the temporary folder");
     }
 
-    pub fn read(&self, name: &str) -> Vec<u8> {
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
         fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
     /// The names of all files, sorted.
-    pub fn files(&self) -> Vec<String> {
+    pub(crate) fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(self.folder.path()).expect("the temporary folder");
         let mut names: Vec<_> = entries
             .map(|entry| {
@@ -69,7 +69,7 @@ impl Shell {
         names
     }
 
-    pub fn command(&self, arguments: &[&str]) -> Command {
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
         command
             .args(arguments)
@@ -79,12 +79,12 @@ impl Shell {
     }
 
     /// Runs the program with these arguments.
-    pub fn run(&self, arguments: &[&str]) -> Run {
+    pub(crate) fn run(&self, arguments: &[&str]) -> Run {
         self.run_with_input(arguments, "")
     }
 
     /// Runs the program with this text on standard input.
-    pub fn run_with_input(&self, arguments: &[&str], input: &str) -> Run {
+    pub(crate) fn run_with_input(&self, arguments: &[&str], input: &str) -> Run {
         let mut child = self
             .command(arguments)
             .stdin(Stdio::piped())
@@ -107,13 +107,13 @@ impl Shell {
 
 impl Run {
     #[track_caller]
-    pub fn ends_with(self, code: i32) -> Self {
+    pub(crate) fn ends_with(self, code: i32) -> Self {
         assert_eq!(self.code, Some(code), "{}", self.stderr);
         self
     }
 
     #[track_caller]
-    pub fn says(self, words: &str) -> Self {
+    pub(crate) fn says(self, words: &str) -> Self {
         assert!(
             self.stderr.contains(words),
             "not said: {words:?}\nsaid: {}",
@@ -122,12 +122,12 @@ impl Run {
         self
     }
 
-    pub fn stdout_text(&self) -> &str {
+    pub(crate) fn stdout_text(&self) -> &str {
         std::str::from_utf8(&self.stdout).expect("results are text")
     }
 }
 
 /// The decoded size of a picture file.
-pub fn size_of(path: &Path) -> (u32, u32) {
+pub(crate) fn size_of(path: &Path) -> (u32, u32) {
     image::image_dimensions(path).expect("a picture")
 }
