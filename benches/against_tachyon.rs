@@ -196,13 +196,8 @@ fn triple(vector: DVec3) -> String {
 fn ppm(texture: &Texture) -> Vec<u8> {
     let (width, height) = (texture.texels.width, texture.texels.height);
     let mut bytes = format!("P6\n{width} {height}\n255\n").into_bytes();
-    bytes.extend(
-        texture
-            .texels
-            .channels
-            .iter()
-            .flatten()
-            .map(|channel| channel.to_le_bytes()[0]),
-    );
+    // Tachyon counts rows from the bottom.
+    let rows = texture.texels.channels.chunks(width).rev();
+    bytes.extend(rows.flatten().flatten().map(|channel| channel.to_le_bytes()[0]));
     bytes
 }
