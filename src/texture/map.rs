@@ -130,7 +130,10 @@ mod tests {
         let map = TextureMap::clamp(numbered(49, 49), DVec2::splat(49.0));
         for offset in 0..49u8 {
             let offset = f64::from(offset);
-            assert_eq!(column_and_row(&map, offset, offset), (offset, 48.0 - offset));
+            assert_eq!(
+                column_and_row(&map, offset, offset),
+                (offset, 48.0 - offset)
+            );
         }
     }
 
