@@ -29,6 +29,7 @@ impl<'a> SurfaceList<'a> {
     #[must_use]
     pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&'a dyn Surface, Support, Hit)> {
         let mut best: Option<(&'a dyn Surface, Support, Hit)> = None;
+        let mut span = span;
         for &(surface, support) in &self.entries {
             if ray.leaves == Some(support) {
                 continue;
@@ -36,12 +37,13 @@ impl<'a> SurfaceList<'a> {
             let Some(hit) = surface.hits(ray, span) else {
                 continue;
             };
-            let nearer = best.as_ref().is_none_or(|(_, best_support, best_hit)| {
-                hit.t < best_hit.t && support != *best_support
-            });
-            if nearer {
-                best = Some((surface, support, hit));
+            if best.as_ref().is_some_and(|(_, best_support, best_hit)| {
+                hit.t >= best_hit.t || support == *best_support
+            }) {
+                continue;
             }
+            span = span.until(hit.t);
+            best = Some((surface, support, hit));
         }
         best
     }
@@ -53,11 +55,11 @@ impl<'a> SurfaceList<'a> {
     pub fn transmittance(&self, segment: &Segment) -> Rgb {
         let mut passed = Rgb::WHITE;
         for &(surface, support) in &self.entries {
+            if segment.ray.leaves == Some(support) || !surface.occludes(segment) {
+                continue;
+            }
             let common = surface.common();
-            if segment.ray.leaves == Some(support)
-                || !common.shadows.cast
-                || !surface.occludes(segment)
-            {
+            if !common.shadows.cast {
                 continue;
             }
             if common.material.transparency == 0.0 {

@@ -228,7 +228,7 @@ fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slid
 
 /// Turns a refusal into an error at the attribute that it blames.
 pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
-    let label = format!("in this `{}`", node.schema.word);
+    let label = format!("in this `{}`", node.word);
     if let Some(at) = node.place(refusal.word) {
         problems.push(Problem::error(at, refusal.reason, label).help(refusal.advice));
     }

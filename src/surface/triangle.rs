@@ -100,8 +100,8 @@ impl Surface for Triangle {
     }
 
     fn occludes(&self, segment: &Segment) -> bool {
-        self.flat.separates(segment)
-            && self.contains_line(&segment.ray)
-            && segment.span.contains(self.flat.crossing(&segment.ray).distance())
+        self.flat.separates(segment).is_some_and(|crossing| {
+            self.contains_line(&segment.ray) && segment.span.contains(crossing.distance())
+        })
     }
 }

@@ -73,15 +73,13 @@ mod tests {
             channels,
             deep: false,
         };
-        let file = "numbered.png".to_owned();
-        let path = file.clone().into();
-        Arc::new(Texture {
-            name: "numbered".into(),
-            file,
-            path,
+        Arc::new(Texture::new(
+            "numbered",
+            "n.png",
+            "n.png".into(),
             texels,
-            divisor: 255.0,
-        })
+            255.0,
+        ))
     }
 
     fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
