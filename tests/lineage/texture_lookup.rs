@@ -1,6 +1,7 @@
 //! From a place on a plane to a texel.
 
 use std::collections::HashSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::DVec2;
@@ -12,24 +13,25 @@ use super::tools::{Stage, hit};
 /// Red numbers the columns from the left, green the rows from the top.
 fn numbered(width: u16, height: u16) -> Arc<Texture> {
     let channels = (0..height).flat_map(|row| (0..width).map(move |column| [column, row, 0]));
-    Arc::new(Texture {
-        name: "numbered".to_owned(),
-        file: String::new(),
-        path: String::new().into(),
-        texels: Texels {
-            width: width.into(),
-            height: height.into(),
-            channels: channels.collect(),
-            deep: false,
-        },
-        divisor: 1.0,
-    })
+    let texels = Texels {
+        width: width.into(),
+        height: height.into(),
+        channels: channels.collect(),
+        deep: true,
+    };
+    Arc::new(Texture::new(
+        "numbered",
+        "numbered.png",
+        PathBuf::new(),
+        texels,
+        255.0,
+    ))
 }
 
 /// Column from the left and row from the top of the texel at an offset.
 fn texel(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
-    let Rgb { r, g, .. } = map.at(DVec2::new(x, y));
-    (r, g)
+    let color = map.at(DVec2::new(x, y)) * 65_535.0;
+    (color.r.round(), color.g.round())
 }
 
 /// R38, R39: CLAMP divides the offset by width and height and takes the nearest lower texel; the

@@ -184,9 +184,8 @@ pub(super) fn letters(film: &Film) -> String {
 pub(super) fn shades(film: &Film) -> String {
     const RAMP: [char; 10] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
     framed(film, |pixel| {
-        let step = RAMP.iter().enumerate().skip(1);
-        let reached = step.filter(|(step, _)| pixel.max_channel() >= *step as f64 / 10.0);
-        reached.last().map_or(RAMP[0], |(_, shade)| *shade)
+        let reached = |step: &usize| pixel.max_channel() >= *step as f64 / 10.0;
+        RAMP[(1..RAMP.len()).rev().find(reached).unwrap_or(0)]
     })
 }
 
