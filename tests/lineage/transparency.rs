@@ -53,6 +53,19 @@ fn panes_tint_shadows() {
     assert_color(shaded_by(&blocked), [1.0; 3]);
 }
 
+/// P4, S11: of panes that coincide the first in the file counts, in shadows as for the eye.
+#[test]
+fn of_coincident_panes_the_first_tints() {
+    let pane = |material: &str| {
+        format!("plane {{ material \"{material}\"; point 0 1 0; normal 0 1 0 }}\n")
+    };
+    let yellowish = shaded_by(&pane("yellowish"));
+    for second in ["clear", "yellowish", "red"] {
+        let both = [pane("yellowish"), pane(second)].concat();
+        assert_eq!(shaded_by(&both), yellowish, "{second}");
+    }
+}
+
 /// S11: a ball filters once, not where it is entered and again where it is left.
 #[test]
 fn a_ball_filters_once() {
