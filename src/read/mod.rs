@@ -12,7 +12,7 @@ mod textures;
 
 use std::path::{Path, PathBuf};
 
-use crate::language::{Problem, Severity, Source, Sources};
+use crate::language::{Problem, Schema, Severity, Source, Sources};
 use crate::scene::Scene;
 
 pub use files::Files;
@@ -58,6 +58,11 @@ pub struct Rejection {
     pub problems: Vec<Problem>,
     /// The texts that they point into.
     pub sources: Sources,
+}
+
+/// Every kind of node that a KDL scene file may hold.
+pub fn schemas() -> impl Iterator<Item = &'static Schema> {
+    Scene::schemas().chain([&kdl::INCLUDE])
 }
 
 /// Reads a scene file.
