@@ -59,11 +59,20 @@ impl Problem {
         }
     }
 
-    /// The same problem with "did you mean …?" if there is a suggestion.
+    /// The same problem with "did you mean `…`?" if there is a word to suggest.
     #[must_use]
-    pub fn suggest(self, suggestion: Option<&str>) -> Self {
-        match suggestion {
-            Some(word) => self.help(format!("did you mean {word:?}?")),
+    pub fn suggest(self, word: Option<&str>) -> Self {
+        match word {
+            Some(word) => self.help(format!("did you mean `{word}`?")),
+            None => self,
+        }
+    }
+
+    /// The same problem with "did you mean "…"?" if there is a name to suggest.
+    #[must_use]
+    pub fn suggest_name(self, name: Option<&str>) -> Self {
+        match name {
+            Some(name) => self.help(format!("did you mean {name:?}?")),
             None => self,
         }
     }
