@@ -197,7 +197,12 @@ impl Takes {
             }
             Self::Word(words) => {
                 let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
-                quoted.join(" or ")
+                match quoted.as_slice() {
+                    [most @ .., last] if !most.is_empty() => {
+                        format!("{} or {last}", most.join(", "))
+                    }
+                    _ => quoted.concat(),
+                }
             }
             Self::Name(reference) => format!("the name of a {}", reference.word()),
             Self::Path => "a file name in quotes".to_owned(),

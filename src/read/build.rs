@@ -3,7 +3,10 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{Files, Options, names::Names, names::refuse_duplicates, names::refuse_unknown, surfaces, textures};
+use super::{
+    Files, Options, names::Names, names::refuse_duplicates, names::refuse_unknown, surfaces,
+    textures,
+};
 use crate::camera::View;
 use crate::language::{Location, Node, Problem, Reference, Refusal, Schema, Sources, Takes};
 use crate::light::{Beam, Cone, Light, Slide};
@@ -141,8 +144,9 @@ fn refuse_missing(nodes: &[Node], problems: &mut Vec<Problem>) {
     };
     if nodes.is_empty() && problems.is_empty() {
         let problem = Problem::error(start, "the scene is empty", "expected a scene");
-        let help = "a scene begins, for example, with `image 800 600` \
-                    and `camera { viewpoint 4 3 8; screen 8 6 }`";
+        let help = "a scene begins with, for example,\n\
+                    image 800 600\n\
+                    camera { viewpoint 4 3 8; screen 8 6 }";
         problems.push(problem.help(help));
         return;
     }
@@ -241,10 +245,14 @@ fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slid
 pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
     let mut attributes = node.schema.all_attributes();
     let blamed = attributes.find(|attribute| attribute.word == refusal.word);
-    let label = refusal.expected.unwrap_or_else(|| match blamed {
-        Some(attribute) => format!("expected {}", attribute.takes.words()),
-        None => format!("expected another `{}`", node.schema.word),
-    });
+    let label = match (blamed, refusal.expected) {
+        (Some(attribute), _) if node.entry(refusal.word).is_none() => {
+            format!("expected another `{}` than the default", attribute.word)
+        }
+        (_, Some(expected)) => expected,
+        (Some(attribute), None) => format!("expected {}", attribute.takes.words()),
+        (None, None) => format!("expected another `{}`", node.schema.word),
+    };
     if let Some(at) = node.place(refusal.word) {
         problems.push(Problem::error(at, refusal.reason, label).help(refusal.advice));
     }

@@ -54,6 +54,10 @@ pub(super) fn value(
         (Takes::Word(words), [one]) => word(attribute, one, words)?,
         (Takes::Name(_) | Takes::Path, [one]) => text(attribute, one)?,
         (Takes::Flag, [(Raw::Flag(flag), _)]) => (*flag).into(),
+        (Takes::Flag, [one @ (Raw::Text(text), _)]) if text == "true" || text == "false" => {
+            let help = format!("write it without quotes and with a `#`: #{text}");
+            return Err(wrong_type(attribute, "#true or #false", one).help(help));
+        }
         (Takes::Flag, [one]) => return Err(wrong_type(attribute, "#true or #false", one)),
         // Nothing is expected, and nothing is there.
         _ => return Ok(None),
@@ -62,11 +66,7 @@ pub(super) fn value(
 }
 
 /// The problem if there are too few values, or too many.
-fn miscounted(
-    attribute: &Attribute,
-    raws: &[(Raw, Location)],
-    at: Location,
-) -> Option<Problem> {
+fn miscounted(attribute: &Attribute, raws: &[(Raw, Location)], at: Location) -> Option<Problem> {
     let (most, allowed): (usize, &[usize]) = match attribute.takes {
         Takes::Nothing => (0, &[0]),
         Takes::Pair(_) => (2, &[2]),
@@ -88,7 +88,11 @@ fn miscounted(
         (format!("`{word}` has no value"), label, at)
     } else if raws.len() < most {
         let label = format!("expected {expected}, found {found}");
-        (format!("`{word}` has too few values"), label, joined(raws, at))
+        (
+            format!("`{word}` has too few values"),
+            label,
+            joined(raws, at),
+        )
     } else {
         let label = format!("expected {expected}, found {found}");
         let surplus = joined(&raws[most..], at);
@@ -103,11 +107,7 @@ fn miscounted(
     })
 }
 
-fn number(
-    attribute: &Attribute,
-    raw: &(Raw, Location),
-    range: Range,
-) -> Result<f64, Problem> {
+fn number(attribute: &Attribute, raw: &(Raw, Location), range: Range) -> Result<f64, Problem> {
     let word = attribute.word;
     let expected = range.words("a", "number");
     match raw {
@@ -116,11 +116,19 @@ fn number(
                 return Ok(*number);
             }
             let label = format!("expected {expected}, found {}", Value::Number(*number));
-            Err(Problem::error(*at, format!("`{word}` is out of range"), label))
+            Err(Problem::error(
+                *at,
+                format!("`{word}` is out of range"),
+                label,
+            ))
         }
         (found @ (Raw::Number(_) | Raw::Beyond(_)), at) => {
             let label = format!("expected a finite number, found {}", found.words());
-            Err(Problem::error(*at, format!("`{word}` is not finite"), label))
+            Err(Problem::error(
+                *at,
+                format!("`{word}` is not finite"),
+                label,
+            ))
         }
         (Raw::Text(text), _) if text.trim().parse::<f64>().is_ok_and(f64::is_finite) => {
             let help = format!("write the number without quotes: {}", text.trim());
@@ -147,11 +155,7 @@ fn number_or_pair(
     }
 }
 
-fn word(
-    attribute: &Attribute,
-    raw: &(Raw, Location),
-    words: &[&str],
-) -> Result<Value, Problem> {
+fn word(attribute: &Attribute, raw: &(Raw, Location), words: &[&str]) -> Result<Value, Problem> {
     let expected = attribute.takes.words();
     match raw {
         (Raw::Text(text), _) if words.contains(&text.as_str()) => Ok(Value::from(text.as_str())),
@@ -174,7 +178,10 @@ fn text(attribute: &Attribute, raw: &(Raw, Location)) -> Result<Value, Problem> 
         }
         (Raw::Text(text), _) => Ok(Value::from(text.as_str())),
         (Raw::Number(number), _) => {
-            let help = format!("a name that is a number needs quotes: \"{}\"", Value::Number(*number));
+            let help = format!(
+                "a name that is a number needs quotes: \"{}\"",
+                Value::Number(*number)
+            );
             Err(wrong_type(attribute, &expected, raw).help(help))
         }
         _ => Err(wrong_type(attribute, &expected, raw)),

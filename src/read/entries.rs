@@ -57,7 +57,17 @@ impl<'a> Reader<'a> {
         let mut arguments = arguments(kdl);
         node.name = self.name(schema, kdl, &mut arguments);
         match schema.value {
-            Some(attribute) => node.value = self.value(attribute, kdl, &arguments),
+            Some(attribute) if arguments.is_empty() => self.no_value(schema, attribute, kdl),
+            Some(attribute) => {
+                let before = self.problems.len();
+                node.value = self.value(attribute, kdl, &arguments);
+                // Its word is not written in scenes.
+                let value = format!("`{}`", attribute.word);
+                let clear = format!("the {} of this `{word}`", attribute.word);
+                for problem in &mut self.problems[before..] {
+                    problem.message = problem.message.replacen(&value, &clear, 1);
+                }
+            }
             None => self.no_more(schema, &arguments),
         }
         node.properties = self.properties(word, schema.properties, Some(schema), kdl);
@@ -141,7 +151,13 @@ impl<'a> Reader<'a> {
             self.annotation(child.ty());
             if let Some(grandchildren) = child.children() {
                 let brace = self.at(grandchildren.span());
-                self.no_braces(word, Location { start: brace.start, ..at });
+                self.no_braces(
+                    word,
+                    Location {
+                        start: brace.start,
+                        ..at
+                    },
+                );
             }
             let value = self.value(attribute, child, &arguments(child));
             let properties = self.properties(word, attribute.properties, None, child);
@@ -215,6 +231,18 @@ impl<'a> Reader<'a> {
         })
     }
 
+    /// Reports that a node lacks the value on its line.
+    fn no_value(&mut self, schema: &Schema, attribute: &Attribute, kdl: &KdlNode) {
+        let (word, value, takes) = (schema.word, attribute.word, attribute.takes.words());
+        let message = format!("this `{word}` has no {value}");
+        let label = format!("expected {takes} after it");
+        let problem = Problem::error(self.head(kdl), message, label);
+        self.problems.push(match schema.naming {
+            Naming::None => problem.help(format!("`{word}` takes {takes}: {}", attribute.about)),
+            _ => problem.help(format!("`{word}` takes a name, and then {takes}")),
+        });
+    }
+
     /// Refuses what follows the name of a node that has no value.
     fn no_more(&mut self, schema: &Schema, arguments: &[&KdlEntry]) {
         let Some(stray) = arguments.first() else {
@@ -227,9 +255,8 @@ impl<'a> Reader<'a> {
         };
         let at = self.at(stray.span());
         let problem = Problem::error(at, message, "not expected here");
-        self.problems.push(problem.help(format!(
-            "attributes stand between braces: `{word} {{ … }}`"
-        )));
+        self.problems
+            .push(problem.help(format!("attributes stand between braces: `{word} {{ … }}`")));
     }
 
     fn no_braces(&mut self, word: &str, at: Location) {
@@ -275,10 +302,14 @@ impl<'a> Reader<'a> {
     /// Type annotations mean nothing in scenes.
     fn annotation(&mut self, annotation: Option<&kdl::KdlIdentifier>) {
         let Some(annotation) = annotation else { return };
-        let message = format!("the type `({})` means nothing here", say::shown(annotation.value()));
+        let message = format!(
+            "the type `({})` means nothing here",
+            say::shown(annotation.value())
+        );
         let at = self.at(annotation.span());
-        self.problems
-            .push(Problem::error(at, message, "not expected").help("remove it with its parentheses"));
+        self.problems.push(
+            Problem::error(at, message, "not expected").help("remove it with its parentheses"),
+        );
     }
 
     /// The word of a node and the values that follow it, without properties and braces.

@@ -12,7 +12,7 @@ pub(crate) const INCLUDE: Schema = Schema {
     about: "Another scene file, whose nodes take this node's place.",
     naming: Naming::None,
     value: Some(&Attribute::new(
-        "include",
+        "file",
         Takes::Path,
         "a KDL file, relative to this file",
     )),
@@ -53,12 +53,19 @@ fn source(path: &Path, at: Location, files: &Files) -> Result<Source, Problem> {
     }
     let bytes = std::fs::read(path).map_err(|reason| {
         if reason.kind() == ErrorKind::NotFound {
-            return error(format!("there is no file {name}"), "expected a scene file")
-                .help(nearby(path, "file names are relative to the file that says `include`"));
+            return error(format!("there is no file {name}"), "expected a scene file").help(
+                nearby(
+                    path,
+                    "file names are relative to the file that says `include`",
+                ),
+            );
         }
         let reason = files::reason(path, &reason);
-        error(format!("cannot read {name}: {reason}"), "expected a scene file")
-            .help("name a file that you may read")
+        error(
+            format!("cannot read {name}: {reason}"),
+            "expected a scene file",
+        )
+        .help("name a file that you may read")
     })?;
     let text = files::text_of(bytes).map_err(|line| {
         let message = format!("{name} is not a text: line {line} is not UTF-8");

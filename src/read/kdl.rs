@@ -50,29 +50,43 @@ pub(super) fn read(source: usize, files: &mut Files, problems: &mut Vec<Problem>
 }
 
 /// One node as the `kdl` crate reads it.
-fn parse(
-    source: usize,
-    text: &str,
-    piece: &Piece,
-    problems: &mut Vec<Problem>,
-) -> Option<KdlNode> {
+fn parse(source: usize, text: &str, piece: &Piece, problems: &mut Vec<Problem>) -> Option<KdlNode> {
     let error = match text[piece.range.clone()].parse::<KdlNode>() {
         Ok(node) => return Some(node),
         Err(error) => error,
     };
+    // All braces are closed; that one seems to be open is because of a mistake before it.
+    let open = |found: &&KdlDiagnostic| said(found).contains("losing '}'");
     let mut found: Vec<_> = error.diagnostics.iter().collect();
+    if !found.iter().all(open) {
+        found.retain(|found| !open(found));
+    }
     found.sort_by_key(|found| found.span.offset());
     // The crate finds one mistake in several ways; one for each line is enough.
     let mut lines = HashSet::new();
     for found in &found {
         let at = location(source, range_in(piece, found));
-        let line = text[..at.start].rfind('\n');
-        if lines.insert(line) {
-            let said = [&found.message, &found.label].map(|said| said.as_deref().unwrap_or(""));
-            problems.push(syntax::error(text, at, &said.join(" ")));
+        if lines.insert(text[..at.start].rfind('\n')) {
+            problems.push(syntax::error(text, at, &said(found)));
+        }
+        if text[at.start..].starts_with("\"\"\"") {
+            break;
         }
     }
+    if found.is_empty() {
+        problems.push(syntax::error(
+            text,
+            location(source, piece.range.clone()),
+            "",
+        ));
+    }
     None
+}
+
+/// What the crate says about a mistake.
+fn said(found: &KdlDiagnostic) -> String {
+    let said = [&found.message, &found.label].map(|said| said.as_deref().unwrap_or(""));
+    said.join(" ")
 }
 
 /// Where a diagnostic points to in the whole text.
@@ -98,6 +112,9 @@ fn include(node: &Node, files: &mut Files, problems: &mut Vec<Problem>, all: &mu
             all.complete &= included.complete;
         }
         Err(problem) => {
+            // Too many files are one mistake, however often they are too many.
+            let known = |problem: &Problem| problems.iter().any(|p| p.message == problem.message);
+            let problem = problem.filter(|problem| !known(problem));
             problems.extend(problem);
             all.complete = false;
         }

@@ -43,7 +43,9 @@ impl<T> Names<T> {
         let mut names: Vec<_> = self.known.keys().map(String::as_str).collect();
         names.sort_unstable();
         Some(match did_you_mean(name, names.iter().copied()) {
-            None if names.is_empty() => problem.help(format!("the scene has no {kind} yet; add one")),
+            None if names.is_empty() => {
+                problem.help(format!("the scene has no {kind} yet; add one"))
+            }
             None => problem.help(format!("the scene has {}", say::names(&names))),
             suggestion => problem.suggest_name(suggestion),
         })

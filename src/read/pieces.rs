@@ -39,10 +39,14 @@ pub(super) enum Mistake {
     OpenBrace,
     /// A `}` without its `{`.
     StrayBrace,
+    /// A `{` that no node's word stands before.
+    LooseBrace,
     /// A text without its closing quote.
     OpenText,
     /// A `/*` without its `*/`.
     OpenComment,
+    /// A `/-` with nothing after it.
+    OpenSlashdash,
     /// Too many braces, comments or slashdashes within one another.
     TooDeep,
 }
@@ -58,6 +62,9 @@ impl Pieces {
         }
         if let Some(&open) = scanner.open.last() {
             scanner.mistake(Mistake::OpenBrace, open..open + 1);
+        }
+        if scanner.commented && !scanner.filled {
+            scanner.mistake(Mistake::OpenSlashdash, scanner.start - 2..scanner.start);
         }
         scanner.end_piece();
         scanner.pieces
@@ -123,9 +130,10 @@ impl<'a> Scanner<'a> {
         } else if character.is_whitespace() {
             self.at += character.len_utf8();
         } else {
+            let first = !self.filled && self.open.is_empty();
             (self.filled, self.joined, self.slashdashes) = (true, false, 0);
             match character {
-                '{' => self.open_brace()?,
+                '{' => self.open_brace(first)?,
                 '}' => self.close_brace(),
                 '"' | '#' if self.quoted() => {}
                 other => self.at += other.len_utf8(),
@@ -176,7 +184,12 @@ impl<'a> Scanner<'a> {
         Some(())
     }
 
-    fn open_brace(&mut self) -> Option<()> {
+    fn open_brace(&mut self, first: bool) -> Option<()> {
+        if first {
+            // The node on the line before is the one that it was meant for.
+            self.pieces.nodes.pop();
+            self.mistake(Mistake::LooseBrace, self.at..self.at + 1);
+        }
         if self.open.len() == DEEPEST {
             self.mistake(Mistake::TooDeep, self.at..self.at + 1);
             return None;
@@ -188,6 +201,15 @@ impl<'a> Scanner<'a> {
 
     fn close_brace(&mut self) {
         if self.open.pop().is_none() {
+            // What lacks its braces was most likely meant to stand in these.
+            let text = self.text;
+            let nodes = &mut self.pieces.nodes;
+            while nodes
+                .last()
+                .is_some_and(|node| !text[node.range.clone()].contains('{'))
+            {
+                nodes.pop();
+            }
             self.mistake(Mistake::StrayBrace, self.at..self.at + 1);
         }
         self.at += 1;
@@ -297,7 +319,10 @@ mod tests {
     fn nodes_end_with_their_line_or_a_semicolon() {
         nodes("a 1\nb 2; c 3\r\n\n", &["a 1", "b 2", "c 3"]);
         nodes("a {\n b; c\n}\nd", &["a {\n b; c\n}", "d"]);
-        nodes("a \\\n 1\nb \\ // why\n 2", &["a \\\n 1", "b \\ // why\n 2"]);
+        nodes(
+            "a \\\n 1\nb \\ // why\n 2",
+            &["a \\\n 1", "b \\ // why\n 2"],
+        );
         nodes("\n// nothing\n/* at\nall */\n;", &[]);
         nodes("a /* b\n */ c", &["a /* b\n */ c"]);
         nodes("a /- \n{ b }\nc", &["a /- \n{ b }", "c"]);
@@ -336,11 +361,13 @@ mod tests {
         mistake("a \"\"\"\nb\nc", Mistake::OpenText, 2);
         mistake("a /* b /* */\nd", Mistake::OpenComment, 2);
         mistake("a \"\\", Mistake::OpenText, 2);
+        mistake("a\n{\n b\n}", Mistake::LooseBrace, 2);
+        mistake("a\n/- // b\n", Mistake::OpenSlashdash, 2);
     }
 
     #[test]
     fn the_good_nodes_of_a_broken_text_are_kept() {
-        let pieces = Pieces::of("a\nb \"c\nd }\ne");
+        let pieces = Pieces::of("a { }\nb \"c\nd }\ne");
         assert_eq!(pieces.nodes.len(), 2);
         assert_eq!(pieces.mistakes.len(), 2);
     }

@@ -3,11 +3,19 @@
 /// A word or a text as a message shows it: not too long, and nothing invisible in it.
 pub(super) fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
-    let escaped = text.replace(char::is_control, "\u{fffd}");
-    match escaped.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &escaped[..end]),
-        None => escaped,
+    let mut shown = String::new();
+    for character in text.chars().take(LONGEST) {
+        let escaped = character.escape_debug();
+        if character == '\\' || escaped.len() <= 2 && !character.is_control() {
+            shown.push(character);
+        } else {
+            shown.extend(escaped);
+        }
     }
+    if text.chars().nth(LONGEST).is_some() {
+        shown.push('…');
+    }
+    shown
 }
 
 /// A text in quotes.
@@ -62,7 +70,8 @@ mod tests {
 
     #[test]
     fn long_and_invisible_texts_are_shown_all_the_same() {
-        assert_eq!(shown("a\u{1b}[31m"), "a\u{fffd}[31m");
+        assert_eq!(shown("a\u{1b}[31m\n"), "a\\u{1b}[31m\\n");
+        assert_eq!(shown("1\u{200e} \"ä\\'"), "1\\u{200e} \"ä\\'");
         assert_eq!(shown(&"ä".repeat(41)), format!("{}…", "ä".repeat(40)));
     }
 }

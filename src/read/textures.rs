@@ -110,7 +110,10 @@ pub(super) fn map(
         .property("mode")
         .is_some_and(|mode| mode.text() == "repeat");
     if !repeat {
-        let stray = entry.properties.iter().find(|given| given.attribute.word == "texel");
+        let stray = entry
+            .properties
+            .iter()
+            .find(|given| given.attribute.word == "texel");
         if let Some(at) = stray.and_then(|stray| stray.location) {
             let message = "`texel` means nothing to a texture that is clamped";
             let problem = Problem::error(at, message, "expected only with `mode=\"repeat\"`");

@@ -66,9 +66,13 @@ pub fn decode(path: &Path) -> Result<Texels, DecodeError> {
 
 /// Refuses a size that a texture cannot have.
 fn size(bytes: &[u8]) -> Result<(), Fault> {
-    let (width, height) = match Header::read(bytes) {
-        Some(header) => header.map(|header| (header.width, header.height))?,
-        None => reader(bytes)?.into_dimensions().map_err(Fault::from)?,
+    if bytes.is_empty() {
+        return Err(Fault::Format("the file is empty".to_owned()));
+    }
+    let (width, height) = match (Header::read(bytes), png_size(bytes)) {
+        (Some(header), _) => header.map(|header| (header.width, header.height))?,
+        (None, Some(size)) => size,
+        (None, None) => reader(bytes)?.into_dimensions().map_err(Fault::from)?,
     };
     if width == 0 || height == 0 {
         return Err(Fault::Empty(width, height));
@@ -78,6 +82,14 @@ fn size(bytes: &[u8]) -> Result<(), Fault> {
         return Err(Fault::TooLarge(width, height));
     }
     Ok(())
+}
+
+/// Width and height from the start of a PNG file, which the decoder does not tell if it refuses
+/// them.
+fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let header = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")?;
+    let side = |at| Some(u32::from_be_bytes(*header.get(at..)?.first_chunk()?));
+    Some((side(0)?, side(4)?))
 }
 
 fn texels(bytes: &[u8]) -> Result<Texels, Fault> {
@@ -136,7 +148,15 @@ impl From<ImageError> for Fault {
             }
             ImageError::IoError(error) => Self::Io(error),
             ImageError::Unsupported(_) => Self::Format("it is not an image".to_owned()),
-            other => Self::Damaged(other.to_string()),
+            other => {
+                let said = other.to_string();
+                let said = said
+                    .split_once(": ")
+                    .map_or(said.as_str(), |(_, said)| said);
+                // What follows is about the decoder rather than about the file.
+                let said = said.split(" while decoding").next().unwrap_or_default();
+                Self::Damaged(said.to_owned())
+            }
         }
     }
 }

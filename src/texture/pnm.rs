@@ -59,13 +59,20 @@ impl Header {
     pub(super) fn texels(self, bytes: &[u8]) -> Result<Texels, Fault> {
         let (width, height) = (self.width as usize, self.height as usize);
         let wanted = width * height * if self.color { 3 } else { 1 };
-        let values = if self.binary { self.bytes(bytes, wanted) } else { self.decimals(bytes, wanted)? };
+        let values = if self.binary {
+            self.bytes(bytes, wanted)
+        } else {
+            self.decimals(bytes, wanted)?
+        };
         if values.len() < wanted {
             let reason = format!("it ends after {} of {wanted} values", values.len());
             return Err(Fault::Damaged(reason));
         }
         if let Some(above) = values.iter().find(|value| **value > self.largest) {
-            let reason = format!("it has the value {above}, but its largest is {}", self.largest);
+            let reason = format!(
+                "it has the value {above}, but its largest is {}",
+                self.largest
+            );
             return Err(Fault::Format(reason));
         }
         let texel = |values: &[u16]| match *values {
@@ -75,7 +82,10 @@ impl Header {
         Ok(Texels {
             width,
             height,
-            channels: values.chunks(if self.color { 3 } else { 1 }).map(texel).collect(),
+            channels: values
+                .chunks(if self.color { 3 } else { 1 })
+                .map(texel)
+                .collect(),
             deep: self.largest != 0xFF,
         })
     }
@@ -85,20 +95,32 @@ impl Header {
         let bytes = &bytes[self.start..];
         if self.largest > 0xFF {
             let pairs = bytes.as_chunks().0.iter();
-            pairs.take(wanted).map(|pair| u16::from_be_bytes(*pair)).collect()
+            pairs
+                .take(wanted)
+                .map(|pair| u16::from_be_bytes(*pair))
+                .collect()
         } else {
-            bytes.iter().take(wanted).map(|byte| u16::from(*byte)).collect()
+            bytes
+                .iter()
+                .take(wanted)
+                .map(|byte| u16::from(*byte))
+                .collect()
         }
     }
 
     /// At most this many values from decimal numbers.
     fn decimals(self, bytes: &[u8], wanted: usize) -> Result<Vec<u16>, Fault> {
-        let numbers = Numbers { bytes, at: self.start };
+        let numbers = Numbers {
+            bytes,
+            at: self.start,
+        };
         let numbers = numbers.take(wanted).map(|number| {
             let number = number?;
             u16::try_from(number).map_err(|_| {
                 let largest = self.largest;
-                Fault::Format(format!("it has the value {number}, but its largest is {largest}"))
+                Fault::Format(format!(
+                    "it has the value {number}, but its largest is {largest}"
+                ))
             })
         });
         numbers.collect()
@@ -137,14 +159,23 @@ impl Iterator for Numbers<'_> {
             self.at += 1;
         }
         let rest = &self.bytes[self.at..];
-        let end = rest.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'#');
+        let end = rest
+            .iter()
+            .position(|byte| byte.is_ascii_whitespace() || *byte == b'#');
         let token = &rest[..end.unwrap_or(rest.len())];
         self.at += token.len();
         let text = String::from_utf8_lossy(token);
         let digits = token.iter().all(u8::is_ascii_digit);
         Some(match text.parse() {
             Ok(number) if digits => Ok(number),
-            _ => Err(Fault::Format(format!("`{}` is not a number", shortened(&text)))),
+            Err(_) if digits => Err(Fault::Format(format!(
+                "`{}…` is too large",
+                shortened(&text)
+            ))),
+            _ => Err(Fault::Format(format!(
+                "`{}` is not a number",
+                shortened(&text)
+            ))),
         })
     }
 }
@@ -152,5 +183,8 @@ impl Iterator for Numbers<'_> {
 /// At most the first few characters of what should have been a number.
 fn shortened(text: &str) -> String {
     const LONGEST: usize = 12;
-    text.chars().take(LONGEST).flat_map(char::escape_default).collect()
+    text.chars()
+        .take(LONGEST)
+        .flat_map(char::escape_default)
+        .collect()
 }
