@@ -33,7 +33,9 @@ fn colors(bytes: &[u8]) -> Vec<[f64; 3]> {
     let texture = decoded(bytes).expect("an image");
     let (width, height) = (texture.texels.width, texture.texels.height);
     let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
-    places.map(|(column, row)| texture.texel(column, row).channels()).collect()
+    places
+        .map(|(column, row)| texture.texel(column, row).channels())
+        .collect()
 }
 
 #[track_caller]
@@ -54,11 +56,19 @@ fn proportional(bytes: &[u8], largest: u16) {
     let found: Vec<_> = colors(bytes).into_iter().flatten().collect();
     let gray = matches!(bytes[1], b'2' | b'5');
     let expected = values(largest).map(|value| f64::from(value) / f64::from(largest));
-    let expected = expected.iter().flat_map(|value| vec![*value; if gray { 3 } else { 1 }]);
+    let expected = expected
+        .iter()
+        .flat_map(|value| vec![*value; if gray { 3 } else { 1 }]);
     for (found, expected) in found.iter().zip(expected.clone()) {
-        assert!((found - expected).abs() <= HALF_STEP, "{largest}: {found} is not {expected}");
+        assert!(
+            (found - expected).abs() <= HALF_STEP,
+            "{largest}: {found} is not {expected}"
+        );
         let exact = [255, 65_535].contains(&largest);
-        assert!(!exact || (found - expected).abs() < 1e-15, "{largest}: {found} is not exact");
+        assert!(
+            !exact || (found - expected).abs() < 1e-15,
+            "{largest}: {found} is not exact"
+        );
     }
     assert_eq!(found.len(), expected.count());
 }
@@ -69,8 +79,16 @@ const LARGEST: [u16; 12] = [1, 2, 3, 15, 100, 254, 255, 256, 1000, 4095, 65_534,
 fn decimal_files_have_the_right_proportions() {
     for largest in LARGEST {
         let numbers = values(largest).map(|value| value.to_string()).join(" ");
-        for header in ["P2 6 1", "P2\n# a comment\n3 2 # another\n", "P3 2 1", "P3\r\n1 2\r\n"] {
-            proportional(format!("{header}\n{largest}\n{numbers}\n").as_bytes(), largest);
+        for header in [
+            "P2 6 1",
+            "P2\n# a comment\n3 2 # another\n",
+            "P3 2 1",
+            "P3\r\n1 2\r\n",
+        ] {
+            proportional(
+                format!("{header}\n{largest}\n{numbers}\n").as_bytes(),
+                largest,
+            );
         }
         // Comments between the numbers, and no newline at the end.
         let numbers = numbers.replacen(' ', "#one\n", 1);
@@ -119,22 +137,40 @@ fn broken_files_are_told_apart() {
     assert!(format(b"P2 1 1 255 256") && format(b"P2 1 1 99 100") && format(b"P5 1 1 99\n\xff"));
     assert!(format(b"P2 1 1 255 -1") && format(b"P2 1 1 255 0x1") && format(b"P2 1 1 255 +1"));
     assert!(format(b"P2 1 1 255 99999999999") && format(b"P2 99999999999 1 255 1"));
-    assert!(damaged(b"P2 2 1 255 1") && damaged(b"P5 2 1 255\n1") && damaged(b"P6 1 1 65535\naaaaa"));
+    assert!(
+        damaged(b"P2 2 1 255 1") && damaged(b"P5 2 1 255\n1") && damaged(b"P6 1 1 65535\naaaaa")
+    );
     assert!(matches!(fault(b"P6 0 5 255\n"), Fault::Empty(0, 5)));
     assert!(matches!(fault(b"P3 5 0 255\n"), Fault::Empty(5, 0)));
 }
 
 #[test]
 fn an_image_of_gigantic_size_is_refused_before_memory_is_taken() {
-    for header in ["P6 100000 100000 255\n", "P2 32769 1 255\n", "P5 32768 32768 65535\n"] {
-        assert!(matches!(fault(header.as_bytes()), Fault::TooLarge(..)), "{header}");
+    for header in [
+        "P6 100000 100000 255\n",
+        "P2 32769 1 255\n",
+        "P5 32768 32768 65535\n",
+    ] {
+        assert!(
+            matches!(fault(header.as_bytes()), Fault::TooLarge(..)),
+            "{header}"
+        );
     }
     for header in ["P1 100000 100000\n", "P4 100000 100000\n"] {
-        assert!(matches!(fault(header.as_bytes()), Fault::TooLarge(..)), "{header}");
+        assert!(
+            matches!(fault(header.as_bytes()), Fault::TooLarge(..)),
+            "{header}"
+        );
     }
     // As large as is allowed, but the texels are not there.
-    assert!(matches!(fault(b"P6 16384 8192 255\nabc"), Fault::Damaged(_)));
-    assert!(matches!(fault(b"P2 16384 8192 255\n1 2 3"), Fault::Damaged(_)));
+    assert!(matches!(
+        fault(b"P6 16384 8192 255\nabc"),
+        Fault::Damaged(_)
+    ));
+    assert!(matches!(
+        fault(b"P2 16384 8192 255\n1 2 3"),
+        Fault::Damaged(_)
+    ));
 }
 
 fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
@@ -161,7 +197,10 @@ fn png_files_of_every_kind_keep_their_colors() {
         }
     }
     let gray = image.to_luma8();
-    let expected: Vec<_> = gray.pixels().map(|pixel| [f64::from(pixel.0[0]) / 255.0; 3]).collect();
+    let expected: Vec<_> = gray
+        .pixels()
+        .map(|pixel| [f64::from(pixel.0[0]) / 255.0; 3])
+        .collect();
     assert_eq!(colors(&encoded(&gray.into(), ImageFormat::Png)), expected);
     let alpha = DynamicImage::ImageLumaA16(image.to_luma_alpha16());
     assert_eq!(colors(&encoded(&alpha, ImageFormat::Png)).len(), 6);

@@ -1,6 +1,7 @@
 //! The texts of a scene and where the files that they name are looked for.
 
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use crate::language::{Source, Sources, did_you_mean};
@@ -51,6 +52,21 @@ impl Files {
             .cloned()
             .unwrap_or_else(|| Path::new(file).to_owned())
     }
+}
+
+/// The bytes of a scene file.
+///
+/// # Errors
+/// The file system's, and one for a file that has no end or is far too large for a scene.
+pub(super) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    const MOST: u64 = 1 << 28;
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST {
+        let reason = format!("it has more than {} MiB", MOST >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, reason));
+    }
+    Ok(bytes)
 }
 
 /// A scene's text from its bytes; a byte order mark is dropped.

@@ -51,7 +51,7 @@ fn source(path: &Path, at: Location, files: &Files) -> Result<Source, Problem> {
         let problem = error(message, "this include is one too many");
         return Err(problem.help("do two files include the same ones again and again?"));
     }
-    let bytes = std::fs::read(path).map_err(|reason| {
+    let bytes = files::bytes_of(path).map_err(|reason| {
         if reason.kind() == ErrorKind::NotFound {
             return error(format!("there is no file {name}"), "expected a scene file").help(
                 nearby(

@@ -71,7 +71,7 @@ pub struct Rejection {
 /// # Errors
 /// The file system's error if the file cannot be read; a [`Rejection`] if it is not a scene.
 pub fn read_file(path: &Path, options: &Options) -> std::io::Result<Result<Reading, Rejection>> {
-    let bytes = std::fs::read(path)?;
+    let bytes = files::bytes_of(path)?;
     let directory = path.parent().map(Path::to_owned).unwrap_or_default();
     Ok(read_bytes(
         &path.display().to_string(),

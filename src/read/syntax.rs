@@ -93,6 +93,11 @@ fn explained(token: &str, before: &str, said: &str) -> (String, String, String) 
     let digits = token.trim_start_matches(['+', '-']);
     let unpointed = digits.strip_prefix('.').unwrap_or(digits);
     match first {
+        _ if token.is_empty() => say(
+            "a node is not complete",
+            "expected more before this",
+            "complete it, or remove it",
+        ),
         _ if said.contains("property value") => say(
             "a property has no value",
             "expected a value after the `=`",

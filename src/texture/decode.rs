@@ -1,6 +1,7 @@
 //! Image files to texels.
 
-use std::io::{self, Cursor};
+use std::fs::File;
+use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use image::{DynamicImage, ImageError, ImageReader, Limits};
@@ -49,7 +50,7 @@ pub enum Fault {
 /// # Errors
 /// If the file cannot be read, is not an image, or has no texels or too many.
 pub fn check(path: &Path) -> Result<(), DecodeError> {
-    let bytes = std::fs::read(path).map_err(Fault::Io);
+    let bytes = read(path);
     let checked = bytes.and_then(|bytes| size(&bytes));
     checked.map_err(|fault| fault.of(path))
 }
@@ -59,9 +60,22 @@ pub fn check(path: &Path) -> Result<(), DecodeError> {
 /// # Errors
 /// If the file cannot be read, is not an image, is damaged, or has no texels or too many.
 pub fn decode(path: &Path) -> Result<Texels, DecodeError> {
-    let bytes = std::fs::read(path).map_err(Fault::Io);
+    let bytes = read(path);
     let texels = bytes.and_then(|bytes| texels(&bytes));
     texels.map_err(|fault| fault.of(path))
+}
+
+/// The bytes of a file.
+fn read(path: &Path) -> Result<Vec<u8>, Fault> {
+    const MOST: u64 = 1 << 30;
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(Fault::Io)?;
+    file.take(MOST + 1).read_to_end(&mut bytes).map_err(Fault::Io)?;
+    if bytes.len() as u64 > MOST {
+        let reason = format!("the file has more than {} MiB", MOST >> 20);
+        return Err(Fault::Format(reason));
+    }
+    Ok(bytes)
 }
 
 /// Refuses a size that a texture cannot have.
