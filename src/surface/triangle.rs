@@ -56,6 +56,7 @@ impl Triangle {
                 "the three vertices lie on one line",
                 "a triangle needs three corners that are not in line",
             )
+            .expected("expected a point off the line through the other two")
         })?;
         Ok(Self { common, vertices, flat })
     }

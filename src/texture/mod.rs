@@ -2,9 +2,10 @@
 
 mod decode;
 mod map;
+mod pnm;
 mod wrap;
 
-pub use decode::{DecodeError, check, decode};
+pub use decode::{DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, check, decode};
 pub use map::TextureMap;
 pub use wrap::Wrap;
 
