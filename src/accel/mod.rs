@@ -50,12 +50,15 @@ impl<'a> SurfaceList<'a> {
 
     /// The share of a light's colour that passes along a segment to it.
     ///
-    /// Opaque surfaces block it, transparent ones tint it, each once.
+    /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
+    /// the first in the file counts.
     #[must_use]
     pub fn transmittance(&self, segment: &Segment) -> Rgb {
         let mut passed = Rgb::WHITE;
+        let mut crossed: Vec<Support> = Vec::new();
         for &(surface, support) in &self.entries {
-            if segment.ray.leaves == Some(support) || !surface.occludes(segment) {
+            let done = segment.ray.leaves == Some(support) || crossed.contains(&support);
+            if done || !surface.occludes(segment) {
                 continue;
             }
             let common = surface.common();
@@ -65,6 +68,7 @@ impl<'a> SurfaceList<'a> {
             if common.material.transparency == 0.0 {
                 return Rgb::BLACK;
             }
+            crossed.push(support);
             if let Some(hit) = surface.hits(&segment.ray, segment.span) {
                 passed = passed * surface.transmits(&hit);
             }
