@@ -193,7 +193,7 @@ fn bytes_that_are_no_text_are_refused() {
         only_message(b"image 8 6\n// caf\xe9\n".as_slice()),
         "scene.kdl is not a text: line 2 is not UTF-8"
     );
-    let png = std::fs::read("textures/arrow-8x8.png").expect("a texture");
+    let png = fs::read("textures/arrow-8x8.png").expect("a texture");
     assert_eq!(
         only_message(png),
         "scene.kdl is not a text: line 1 is not UTF-8"
