@@ -18,13 +18,13 @@ fn decoded(bytes: &[u8]) -> Result<Texture, DecodeError> {
     let checked = check(&path);
     let texels = decode(&path)?;
     checked.expect("what can be decoded passes the check");
-    Ok(Texture {
-        name: "image".to_owned(),
-        file: "image".to_owned(),
-        path: PathBuf::new(),
+    Ok(Texture::new(
+        "image",
+        "image",
+        PathBuf::new(),
         texels,
-        divisor: 255.0,
-    })
+        255.0,
+    ))
 }
 
 /// The colours of an image, row by row from the top.

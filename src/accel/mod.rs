@@ -29,6 +29,7 @@ impl<'a> SurfaceList<'a> {
     #[must_use]
     pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&'a dyn Surface, Support, Hit)> {
         let mut best: Option<(&'a dyn Surface, Support, Hit)> = None;
+        let mut span = span;
         for &(surface, support) in &self.entries {
             if ray.leaves == Some(support) {
                 continue;
@@ -36,33 +37,38 @@ impl<'a> SurfaceList<'a> {
             let Some(hit) = surface.hits(ray, span) else {
                 continue;
             };
-            let nearer = best.as_ref().is_none_or(|(_, best_support, best_hit)| {
-                hit.t < best_hit.t && support != *best_support
-            });
-            if nearer {
-                best = Some((surface, support, hit));
+            if best.as_ref().is_some_and(|(_, best_support, best_hit)| {
+                hit.t >= best_hit.t || support == *best_support
+            }) {
+                continue;
             }
+            span = span.until(hit.t);
+            best = Some((surface, support, hit));
         }
         best
     }
 
     /// The share of a light's colour that passes along a segment to it.
     ///
-    /// Opaque surfaces block it, transparent ones tint it, each once.
+    /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
+    /// the first in the file counts.
     #[must_use]
     pub fn transmittance(&self, segment: &Segment) -> Rgb {
         let mut passed = Rgb::WHITE;
+        let mut crossed: Vec<Support> = Vec::new();
         for &(surface, support) in &self.entries {
+            let done = segment.ray.leaves == Some(support) || crossed.contains(&support);
+            if done || !surface.occludes(segment) {
+                continue;
+            }
             let common = surface.common();
-            if segment.ray.leaves == Some(support)
-                || !common.shadows.cast
-                || !surface.occludes(segment)
-            {
+            if !common.shadows.cast {
                 continue;
             }
             if common.material.transparency == 0.0 {
                 return Rgb::BLACK;
             }
+            crossed.push(support);
             if let Some(hit) = surface.hits(&segment.ray, segment.span) {
                 passed = passed * surface.transmits(&hit);
             }

@@ -1,11 +1,11 @@
 //! `heliodon dump`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::messages::Messages;
-use super::{Status, input};
+use super::{Status, convert::name_from, input};
 
 /// Prints the resolved scene as KDL, every include inserted and every default spelled out.
 ///
@@ -24,8 +24,9 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         Ok(reading) => reading,
         Err(failure) => return failure.status,
     };
-    let nodes = reading.scene.describe();
-    let text: String = nodes.iter().map(ToString::to_string).collect();
+    let text = reading
+        .scene
+        .to_kdl(true, |texture| name_from(Path::new(""), texture));
     match messages.result(&text) {
         Ok(()) => Status::Done,
         Err(error) => {

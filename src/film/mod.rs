@@ -69,6 +69,20 @@ impl Film {
         self.pixels[row * self.width + column]
     }
 
+    /// The code values of 8-bit formats: red, green and blue of each pixel in turn.
+    #[must_use]
+    pub fn bytes(&self, rounding: Rounding) -> Vec<u8> {
+        let mut bytes = vec![0; 3 * self.pixels.len()];
+        for (bytes, pixel) in bytes.chunks_exact_mut(3).zip(&self.pixels) {
+            // A code is at most 255, so its low byte is all of it.
+            let codes = pixel
+                .channels()
+                .map(|c| rounding.code(c, 255).to_le_bytes()[0]);
+            bytes.copy_from_slice(&codes);
+        }
+        bytes
+    }
+
     /// Column and row of every pixel with an infinite or not-a-number channel.
     pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
         let odd = self

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use super::{Film, Notes, Rounding};
+use crate::math::Rgb;
 
 /// Bits a channel.
 #[derive(Debug, Clone, Copy)]
@@ -26,19 +27,18 @@ pub(super) fn write(
     for (keyword, text) in &notes.0 {
         encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
     }
-    let channels = film.pixels().iter().flat_map(|pixel| pixel.channels());
-    let bytes: Vec<u8> = match depth {
+    let bytes = match depth {
         Depth::Eight => {
             encoder.set_depth(png::BitDepth::Eight);
-            // The code is at most 255, so its low byte is all of it.
-            channels
-                .map(|channel| rounding.code(channel, 255).to_le_bytes()[0])
-                .collect()
+            film.bytes(rounding)
         }
         Depth::Sixteen => {
             encoder.set_depth(png::BitDepth::Sixteen);
-            channels
-                .flat_map(|channel| rounding.code(channel, 65_535).to_be_bytes())
+            let codes = |pixel: &Rgb| pixel.channels().map(|c| rounding.code(c, 65_535));
+            film.pixels()
+                .iter()
+                .flat_map(codes)
+                .flat_map(u16::to_be_bytes)
                 .collect()
         }
     };

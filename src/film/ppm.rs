@@ -7,9 +7,5 @@ use super::{Film, Rounding};
 /// Writes a P6 file with 8 bits a channel.
 pub(super) fn write(film: &Film, out: &mut dyn Write, rounding: Rounding) -> io::Result<()> {
     write!(out, "P6\n{} {}\n255\n", film.width(), film.height())?;
-    let channels = film.pixels().iter().flat_map(|pixel| pixel.channels());
-    let bytes: Vec<u8> = channels
-        .map(|channel| rounding.code(channel, 255).to_le_bytes()[0])
-        .collect();
-    out.write_all(&bytes)
+    out.write_all(&film.bytes(rounding))
 }

@@ -11,6 +11,8 @@ use super::{Attribute, Location, Schema, Value};
 pub struct Node {
     /// What kind of node it is.
     pub schema: &'static Schema,
+    /// The word that its file uses for that kind; messages use it too.
+    pub word: &'static str,
     /// Its name, if it has one.
     pub name: Option<String>,
     /// The value on its own line, if its kind has one.
@@ -33,7 +35,7 @@ pub struct Entry {
     /// Its value; `None` if it takes none.
     pub value: Option<Value>,
     /// The settings on its line.
-    pub properties: Vec<Entry>,
+    pub properties: Vec<Self>,
     /// Where it stands.
     pub location: Option<Location>,
 }
@@ -44,6 +46,7 @@ impl Node {
     pub fn new(schema: &'static Schema, name: Option<&str>) -> Self {
         Self {
             schema,
+            word: schema.word,
             name: name.map(str::to_owned),
             value: None,
             properties: Vec::new(),
@@ -93,6 +96,15 @@ impl Node {
             properties,
             location: None,
         });
+        self
+    }
+
+    /// The same node, its last attribute standing at this place.
+    #[must_use]
+    pub fn last_at(mut self, location: Location) -> Self {
+        if let Some(last) = self.attributes.last_mut() {
+            last.location = Some(location);
+        }
         self
     }
 
@@ -193,8 +205,10 @@ impl Entry {
         value_or_default(&self.properties, find(self.attribute.properties, word))
     }
 
+    /// Whether the default would be written alike; a zero with a sign is not the one without.
     fn is_default(&self) -> bool {
-        self.value.is_some() && self.value == self.attribute.default.value()
+        let written = |value: &Option<Value>| value.as_ref().map(Value::to_string);
+        self.value.is_some() && written(&self.value) == written(&self.attribute.default.value())
     }
 }
 

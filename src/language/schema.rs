@@ -41,7 +41,7 @@ pub struct Attribute {
     /// What holds when the scene does not say it.
     pub default: Default,
     /// `key=value` settings on the attribute's line.
-    pub properties: &'static [Attribute],
+    pub properties: &'static [Self],
     /// What it means, in one sentence.
     pub about: &'static str,
 }

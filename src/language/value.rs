@@ -147,11 +147,25 @@ fn write_text(out: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
             '\n' => out.write_str("\\n")?,
             '\r' => out.write_str("\\r")?,
             '\t' => out.write_str("\\t")?,
-            other if other.is_control() => write!(out, "\\u{{{:x}}}", u32::from(other))?,
+            other if other.is_control() || is_refused_by_kdl(other) => {
+                write!(out, "\\u{{{:x}}}", u32::from(other))?;
+            }
             other => write!(out, "{other}")?,
         }
     }
     out.write_str("\"")
+}
+
+/// Whether a character that is no control character may not stand in a KDL string as it is: line
+/// ends, and marks that turn the direction of writing around.
+fn is_refused_by_kdl(character: char) -> bool {
+    matches!(
+        character,
+        '\u{200e}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2066}'..='\u{2069}'
+            | '\u{feff}'
+    )
 }
 
 #[cfg(test)]

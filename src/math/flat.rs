@@ -59,16 +59,14 @@ impl Flat {
         Side::of(self.normal.dot(point.from(self.point)))
     }
 
-    /// Whether the ends of a segment lie strictly on opposite sides; only then can a surface in
-    /// this plane stand between them.
+    /// Where a segment crosses the plane, if its ends lie strictly on opposite sides; only then
+    /// can a surface in this plane stand between them.
     #[must_use]
-    pub fn separates(&self, segment: &Segment) -> bool {
-        let start = self.side(&segment.ray.origin);
-        let end = self.side(&Point::exact(segment.end));
-        matches!(
-            (start, end),
-            (Side::Front, Side::Back) | (Side::Back, Side::Front)
-        )
+    pub fn separates(&self, segment: &Segment) -> Option<Crossing> {
+        let crossing = self.crossing(&segment.ray);
+        let end = self.normal.dot(segment.end - self.point);
+        let opposite = (crossing.height > 0.0 && end > 0.0) || (crossing.height < 0.0 && end < 0.0);
+        opposite.then_some(crossing)
     }
 
     /// Where the line of a ray crosses the plane.

@@ -55,11 +55,10 @@ impl Rectangle {
     /// Whether the rectangle stands between the ends of a segment.
     #[must_use]
     pub fn occludes(&self, segment: &Segment) -> bool {
-        self.flat.separates(segment) && {
-            let crossing = self.flat.crossing(&segment.ray);
+        self.flat.separates(segment).is_some_and(|crossing| {
             self.inside(&crossing, &segment.ray).is_some()
                 && segment.span.contains(crossing.distance())
-        }
+        })
     }
 
     /// The offset from the corner times `|D|`, if the line of the ray passes inside.

@@ -4,17 +4,10 @@ use kdl::{KdlDocument, KdlEntry, KdlNode, KdlValue};
 use miette::SourceSpan;
 
 use super::check::{self, Raw};
-use super::include::INCLUDE;
-use super::{Files, say, unknown};
+use super::{Files, say, schemas, unknown};
 use crate::language::{
     Attribute, Default, Entry, Location, Naming, Node, Problem, Schema, Value, did_you_mean,
 };
-use crate::scene::Scene;
-
-/// Every kind of node that a file may hold.
-pub(super) fn schemas() -> impl Iterator<Item = &'static Schema> {
-    Scene::schemas().chain([&INCLUDE])
-}
 
 /// Turns one top-level node into ours, and notes what does not fit.
 #[derive(Debug)]

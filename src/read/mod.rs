@@ -17,7 +17,7 @@ mod unknown;
 
 use std::path::{Path, PathBuf};
 
-use crate::language::{Problem, Severity, Source, Sources};
+use crate::language::{Problem, Schema, Severity, Source, Sources};
 use crate::scene::Scene;
 use kdl::Nodes;
 
@@ -64,6 +64,11 @@ pub struct Rejection {
     pub problems: Vec<Problem>,
     /// The texts that they point into.
     pub sources: Sources,
+}
+
+/// Every kind of node that a KDL scene file may hold.
+pub fn schemas() -> impl Iterator<Item = &'static Schema> {
+    Scene::schemas().chain([&include::INCLUDE])
 }
 
 /// Reads a scene file.

@@ -46,15 +46,11 @@ pub(super) fn load<'a>(
 
 fn read(node: &Node, name: &str, files: &Files) -> Result<Texture, DecodeError> {
     let path = path(node, files);
-    Ok(Texture {
-        name: name.to_owned(),
-        file: file(node).to_owned(),
-        texels: decode(&path)?,
-        path,
-        divisor: node
-            .property("divisor")
-            .map_or(255.0, |divisor| divisor.number()),
-    })
+    let texels = decode(&path)?;
+    let divisor = node
+        .property("divisor")
+        .map_or(255.0, |divisor| divisor.number());
+    Ok(Texture::new(name, file(node), path, texels, divisor))
 }
 
 fn file(node: &Node) -> &str {

@@ -125,12 +125,16 @@ impl<'a> Tracer<'a> {
             let Some(segment) = Segment::new(Some(support), hit.point, light.location) else {
                 continue;
             };
-            let Some(arriving) = self.arriving(surface, hit, light, &segment, probe) else {
+            let cosine = segment.ray.dir.dot(hit.normal);
+            if cosine <= 0.0 {
+                // The surface hides itself.
+                continue;
+            }
+            let Some(arriving) = self.arriving(surface, light, segment, probe) else {
                 continue;
             };
-            let cosine = segment.ray.dir.dot(hit.normal);
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
-            color += diffuse * arriving * cosine / divisor;
+            color += diffuse * arriving * (cosine / divisor);
 
             let material = &surface.common().material;
             if material.shininess > 0.0 {
@@ -144,28 +148,21 @@ impl<'a> Tracer<'a> {
         color
     }
 
-    /// The light of a light that arrives at a hit; `None` if the surface hides itself from the
-    /// light, the beam passes by, or something stands in the way.
+    /// The light of a light that arrives at the start of a segment to it; `None` if the beam
+    /// passes by or something stands in the way.
     fn arriving(
         &self,
         surface: &dyn Surface,
-        hit: &Hit,
         light: &Light,
-        segment: &Segment,
+        mut segment: Segment,
         probe: &mut impl Probe,
     ) -> Option<Rgb> {
-        if segment.ray.dir.dot(hit.normal) <= 0.0 {
-            return None;
-        }
-        let leaving = light.towards(segment)?;
+        let leaving = light.towards(&segment)?;
         if !surface.common().shadows.receive {
             return Some(leaving);
         }
         probe.shadow_ray();
-        let segment = Segment {
-            span: self.camera.span(&segment.ray),
-            ..*segment
-        };
+        segment.span = self.camera.span(&segment.ray);
         let passed = self.surfaces.transmittance(&segment);
         (!passed.is_black()).then(|| leaving * passed)
     }

@@ -2,6 +2,7 @@
 
 mod lighting;
 mod picture;
+mod write;
 
 pub use lighting::{Falloff, Lighting};
 pub use picture::Picture;

@@ -81,7 +81,7 @@ impl Surface for Plane {
     }
 
     fn occludes(&self, segment: &Segment) -> bool {
-        self.flat.separates(segment)
-            && segment.span.contains(self.flat.crossing(&segment.ray).distance())
+        let crossing = self.flat.separates(segment);
+        crossing.is_some_and(|crossing| segment.span.contains(crossing.distance()))
     }
 }

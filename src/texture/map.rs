@@ -43,11 +43,11 @@ impl TextureMap {
     #[must_use]
     pub fn at(&self, offset: DVec2) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
-        let relative = offset / self.size;
         #[expect(clippy::cast_precision_loss, reason = "image sides are far below 2^53")]
         let place = match self.wrap {
-            Wrap::Clamp => relative * DVec2::new(width as f64, height as f64),
-            Wrap::Repeat => relative,
+            // Multiplied first: a whole texel, such as 49 × 1/49, must not fall short of itself.
+            Wrap::Clamp => offset * DVec2::new(width as f64, height as f64) / self.size,
+            Wrap::Repeat => offset / self.size,
         };
         let column = self.wrap.index(place.x, width);
         // Images are stored from the top, offsets are counted from the bottom.
@@ -73,15 +73,13 @@ mod tests {
             channels,
             deep: false,
         };
-        let file = "numbered.png".to_owned();
-        let path = file.clone().into();
-        Arc::new(Texture {
-            name: "numbered".into(),
-            file,
-            path,
+        Arc::new(Texture::new(
+            "numbered",
+            "n.png",
+            "n.png".into(),
             texels,
-            divisor: 255.0,
-        })
+            255.0,
+        ))
     }
 
     fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
@@ -122,6 +120,19 @@ mod tests {
             .collect();
         let expected: Vec<_> = (0..128).rev().map(f64::from).collect();
         assert_eq!(rows, expected);
+    }
+
+    #[test]
+    fn a_whole_texel_is_not_rounded_down() {
+        // In doubles, 1 / 49 × 49 is less than 1.
+        let map = TextureMap::clamp(numbered(49, 49), DVec2::splat(49.0));
+        for offset in 0..49u8 {
+            let offset = f64::from(offset);
+            assert_eq!(
+                column_and_row(&map, offset, offset),
+                (offset, 48.0 - offset)
+            );
+        }
     }
 
     #[test]

@@ -25,8 +25,9 @@ pub struct Texture {
     pub path: PathBuf,
     /// The texels.
     pub texels: Texels,
-    /// What a channel of an 8-bit texel is divided by: 255, or 256 as in the course's programs.
-    pub divisor: f64,
+    divisor: f64,
+    /// The intensity of every value that a channel can have.
+    intensities: Vec<f64>,
 }
 
 /// The texels of an image, row by row from the top.
@@ -62,20 +63,40 @@ impl Texture {
         attributes: &[],
     };
 
+    /// A texture of these texels, read from a file that the scene calls `file`.
+    ///
+    /// `divisor` is what an 8-bit channel is divided by: 255, or 256 as in the course's programs.
+    #[must_use]
+    pub fn new(name: &str, file: &str, path: PathBuf, texels: Texels, divisor: f64) -> Self {
+        const SIXTEEN_BITS_PER_EIGHT: f64 = 257.0;
+        let (largest, unit) = if texels.deep {
+            (u16::MAX, divisor * SIXTEEN_BITS_PER_EIGHT)
+        } else {
+            (u16::from(u8::MAX), divisor)
+        };
+        let intensities = (0..=largest)
+            .map(|channel| f64::from(channel) / unit)
+            .collect();
+        let (name, file) = (name.to_owned(), file.to_owned());
+        Self {
+            name,
+            file,
+            path,
+            texels,
+            divisor,
+            intensities,
+        }
+    }
+
     /// The colour of a texel; column from the left, row from the top.
     ///
     /// # Panics
     /// If there is no such texel.
     #[must_use]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
-        const SIXTEEN_BITS_PER_EIGHT: f64 = 257.0;
-        let [r, g, b] = self.texels.channels[row * self.texels.width + column].map(f64::from);
-        let depth = if self.texels.deep {
-            SIXTEEN_BITS_PER_EIGHT
-        } else {
-            1.0
-        };
-        Rgb::new(r, g, b) / (self.divisor * depth)
+        let channels = self.texels.channels[row * self.texels.width + column];
+        let [r, g, b] = channels.map(|channel| self.intensities[usize::from(channel)]);
+        Rgb::new(r, g, b)
     }
 
     /// The texture as a node of the scene language.

@@ -25,9 +25,12 @@ impl Wrap {
         reason = "as said above"
     )]
     pub fn index(self, place: f64, count: usize) -> usize {
+        const SMALL: std::ops::Range<f64> = 0.0..4_294_967_296.0; // 2^32
         let last = count - 1;
         match self {
-            Self::Clamp => (place.floor() as usize).min(last),
+            // Below zero the cast saturates, above it drops the fraction.
+            Self::Clamp => (place as usize).min(last),
+            Self::Repeat if SMALL.contains(&place) => (place as u32 % count as u32) as usize,
             // The remainder of two whole numbers is exact, however far away the place is.
             Self::Repeat => (place.floor().rem_euclid(count as f64) as usize).min(last),
         }

@@ -1,0 +1,43 @@
+//! What the courses' programs did without being told; nodes say it, so that nothing is hidden.
+
+use super::entity::Block;
+use crate::camera::View;
+use crate::language::Node;
+use crate::scene::{Lighting, Picture};
+
+/// The picture, the camera and the light's reach.
+///
+/// Without a camera, which is then a mistake already, they stand for one that is not understood.
+pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
+    /// How far a ray can come.
+    const REACH: f64 = 20.0;
+    let given = |means| camera.and_then(|camera| camera.find(means));
+    let mut picture = Node::new(&Picture::SCHEMA, None)
+        .with_property("quantize", "truncate")
+        .with_property("cut-off", 0.0);
+    picture.value = given("size").and_then(|size| size.value.clone());
+    let mut view = Node::new(&View::SCHEMA, None);
+    for word in ["viewpoint", "screen"] {
+        if let Some((given, value)) =
+            given(word).and_then(|given| Some((given, given.value.clone()?)))
+        {
+            view = view.with(word, value).last_at(given.at);
+        }
+    }
+    for node in [&mut picture, &mut view] {
+        node.word = "camera";
+        node.location = camera.map(|camera| camera.head);
+        node.sound = camera.is_some_and(|camera| camera.sound);
+    }
+    [
+        picture,
+        view,
+        Node::new(&Lighting::SCHEMA, None).with("reach", REACH),
+    ]
+}
+
+/// A texture, whose channels are divided by 256.
+pub(super) fn texture(node: Node) -> Node {
+    const DIVISOR: f64 = 256.0;
+    node.with_property("divisor", DIVISOR)
+}

@@ -1,0 +1,13 @@
+//! The program at the shell: exit codes, streams, files. One sentence a test.
+
+#[path = "cli/shell.rs"]
+mod shell;
+
+#[path = "cli/determinism.rs"]
+mod determinism;
+#[path = "cli/exit_codes.rs"]
+mod exit_codes;
+#[path = "cli/files.rs"]
+mod files;
+#[path = "cli/streams.rs"]
+mod streams;

@@ -1,0 +1,163 @@
+//! What becomes of files.
+
+use crate::shell::{SCENE, Shell, size_of};
+
+#[test]
+fn the_picture_has_the_scenes_size_unless_told_otherwise() {
+    let shell = Shell::with_scene();
+    shell.run(&["render", "scene.kdl"]).ends_with(0);
+    assert_eq!(size_of(&shell.path("scene.png")), (40, 30));
+    shell
+        .run(&["render", "scene.kdl", "--size", "17x5"])
+        .ends_with(0);
+    assert_eq!(size_of(&shell.path("scene.png")), (17, 5));
+}
+
+#[test]
+fn the_ending_names_the_format_and_format_overrules_it() {
+    let shell = Shell::with_scene();
+    for (name, magic) in [
+        ("a.png", &b"\x89PNG"[..]),
+        ("a.ppm", b"P6\n40 30\n255\n"),
+        ("a.pfm", b"PF\n40 30\n-1.0\n"),
+    ] {
+        shell.run(&["render", "scene.kdl", "-o", name]).ends_with(0);
+        assert!(shell.read(name).starts_with(magic), "{name}");
+    }
+    shell
+        .run(&["render", "scene.kdl", "-o", "b", "--format", "ppm"])
+        .ends_with(0);
+    assert!(shell.read("b").starts_with(b"P6"));
+    shell
+        .run(&["render", "scene.kdl", "--format", "pfm"])
+        .ends_with(0);
+    assert!(shell.read("scene.pfm").starts_with(b"PF"));
+}
+
+#[test]
+fn all_formats_hold_the_same_picture() {
+    let shell = Shell::with_scene();
+    for (name, format) in [
+        ("8.png", "png"),
+        ("16.png", "png16"),
+        ("8.ppm", "ppm"),
+        ("f.pfm", "pfm"),
+    ] {
+        shell
+            .run(&["render", "scene.kdl", "-o", name, "--format", format])
+            .ends_with(0);
+    }
+    let open = |name: &str| image::open(shell.path(name)).expect("a picture");
+    assert_eq!(open("8.png").into_rgb8(), open("8.ppm").into_rgb8());
+    let (eight, sixteen) = (open("8.png").into_rgb8(), open("16.png").into_rgb16());
+    let floats = shell.read("f.pfm");
+    let floats = &floats[b"PF\n40 30\n-1.0\n".len()..];
+    assert_eq!(floats.len(), 40 * 30 * 3 * 4);
+    for (index, (low, high)) in eight.iter().zip(sixteen.iter()).enumerate() {
+        let exact = f64::from(*high) / 65_535.0 * 255.0;
+        assert!((f64::from(*low) - exact).abs() <= 0.51, "{low} and {high}");
+        let (column, row, channel) = (index / 3 % 40, index / 3 / 40, index % 3);
+        // This format's rows run from bottom to top.
+        let at = 4 * (((29 - row) * 40 + column) * 3 + channel);
+        let float = f32::from_le_bytes(floats[at..at + 4].try_into().expect("four bytes"));
+        let clamped = f64::from(float).clamp(0.0, 1.0);
+        assert!(
+            (clamped * 65_535.0 - f64::from(*high)).abs() <= 0.51,
+            "{float} and {high}"
+        );
+    }
+}
+
+#[test]
+fn the_notes_in_a_png_tell_settings_and_scene_but_no_clock_and_no_path() {
+    let shell = Shell::with_scene();
+    shell.run(&["render", "scene.kdl"]).ends_with(0);
+    let bytes = shell.read("scene.png");
+    let reader = png::Decoder::new(std::io::Cursor::new(bytes))
+        .read_info()
+        .expect("a PNG");
+    let info = reader.info();
+    let notes: Vec<_> = info
+        .utf8_text
+        .iter()
+        .map(|note| (note.keyword.clone(), note.get_text().expect("text")))
+        .collect();
+    let keywords: Vec<_> = notes.iter().map(|(keyword, _)| keyword.as_str()).collect();
+    assert_eq!(keywords, ["Software", "Settings", "Scene hash"]);
+    assert_eq!(
+        notes[1].1,
+        "image 40 30 samples=1 quantize=\"round\" cut-off=0.0005"
+    );
+    assert_eq!(notes[2].1.len(), 64);
+}
+
+#[test]
+fn a_stem_or_a_folder_serves_many_scenes() {
+    let shell = Shell::with_scene();
+    shell.write("second.kdl", SCENE);
+    std::fs::create_dir(shell.path("out")).expect("a folder");
+    shell
+        .run(&[
+            "render",
+            "scene.kdl",
+            "second.kdl",
+            "-o",
+            "{stem}-small.ppm",
+        ])
+        .ends_with(0);
+    shell
+        .run(&["render", "scene.kdl", "second.kdl", "-o", "out"])
+        .ends_with(0)
+        .says("2 ok, 0 failed");
+    let expected = [
+        "out",
+        "scene-small.ppm",
+        "scene.kdl",
+        "second-small.ppm",
+        "second.kdl",
+    ];
+    assert_eq!(shell.files(), expected);
+    assert!(shell.path("out/second.png").exists());
+}
+
+#[test]
+fn a_picture_never_replaces_a_scene() {
+    let shell = Shell::with_scene();
+    let run = shell.run(&["render", "scene.kdl", "-o", "scene.kdl", "--format", "png"]);
+    run.ends_with(2).says("would replace a scene");
+    assert_eq!(shell.read("scene.kdl"), SCENE.as_bytes());
+}
+
+#[cfg(unix)]
+#[test]
+fn devices_and_links_stay_what_they_are() {
+    let shell = Shell::with_scene();
+    shell
+        .run(&["render", "scene.kdl", "-o", "/dev/null", "--format", "png"])
+        .ends_with(0);
+    let device = std::fs::metadata("/dev/null").expect("the null device");
+    assert!(!device.is_file());
+    shell.write("target.png", "");
+    std::os::unix::fs::symlink("target.png", shell.path("link.png")).expect("a link");
+    shell
+        .run(&["render", "scene.kdl", "-o", "link.png"])
+        .ends_with(0);
+    assert!(shell.path("link.png").is_symlink());
+    assert_eq!(size_of(&shell.path("target.png")), (40, 30));
+}
+
+#[cfg(unix)]
+#[test]
+fn pictures_can_be_read_by_others() {
+    use std::os::unix::fs::PermissionsExt;
+    let shell = Shell::with_scene();
+    shell.run(&["render", "scene.kdl"]).ends_with(0);
+    shell.write("plain", "");
+    let mode = |name| {
+        std::fs::metadata(shell.path(name))
+            .expect("a file")
+            .permissions()
+            .mode()
+    };
+    assert_eq!(mode("scene.png"), mode("plain"));
+}
