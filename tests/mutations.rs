@@ -81,6 +81,19 @@ impl Dice {
 }
 
 const NUMBERS: &[&str] = &[
+    "3",
+    "-2.5",
+    "0.1",
+    "10",
+    "100",
+    "255",
+    "1e-9",
+    "1e9",
+    "1e60",
+    "-1e60",
+    "1.6e60",
+    "1e-60",
+    "1e61",
     "0",
     "-0.0",
     "-1",
@@ -116,9 +129,9 @@ const SCRAPS: &[&str] = &[
 
 fn mutated(seeds: &[Seed], index: u64) -> (Vec<u8>, &Path) {
     let mut dice = Dice(index.wrapping_mul(0xD134_2543_DE82_EF95));
-    // Half of the cases start from the few good scenes; half of these get other numbers only, so
-    // that many of them are still scenes.
-    let (good, only_numbers) = (dice.below(2) == 0, dice.below(2) == 0);
+    // Two thirds of the cases start from the few good scenes; half of these get other numbers only,
+    // so that many of them are still scenes.
+    let (good, only_numbers) = (dice.below(3) > 0, dice.below(2) == 0);
     let (goods, bads): (Vec<_>, Vec<_>) = seeds.iter().partition(|seed| seed.good);
     let seed = *dice.pick(if good { &goods } else { &bads });
     let mut text = seed.text.clone();

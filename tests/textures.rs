@@ -181,7 +181,10 @@ fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
 
 #[test]
 fn png_files_of_every_kind_keep_their_colors() {
-    let rgba = image::RgbaImage::from_fn(3, 2, |x, y| image::Rgba([10, 20 * x as u8, 30, y as u8]));
+    let texels = (0..6)
+        .flat_map(|index| [10, 20 * (index % 3), 30, index])
+        .collect();
+    let rgba = image::RgbaImage::from_raw(3, 2, texels).expect("3 by 2 texels");
     let image = DynamicImage::ImageRgba8(rgba);
     let full = |x: u32| [10.0, 20.0 * f64::from(x), 30.0].map(|value| value / 255.0);
     let expected: Vec<_> = [0, 1, 2, 0, 1, 2].map(full).to_vec();

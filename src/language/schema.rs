@@ -151,6 +151,10 @@ pub enum Range {
 }
 
 impl Range {
+    /// The largest number that a scene may hold, but for directions, of which the length does not
+    /// count: 2²⁰⁰, about 1.6e60. Sums and products of a few such numbers are still finite.
+    pub const LARGEST: f64 = 1_606_938_044_258_990_275_541_962_092_341_162_602_522_202_993_782_792_835_301_376.0;
+
     /// Whether a number lies in the range.
     #[must_use]
     pub fn contains(self, number: f64) -> bool {
@@ -212,6 +216,12 @@ impl Takes {
 }
 
 impl Attribute {
+    /// Whether only the direction of its three numbers counts.
+    #[must_use]
+    pub fn is_direction(&self) -> bool {
+        self.takes == Takes::Triple && self.unit.is_empty()
+    }
+
     /// An attribute without unit, default or properties; a start for the `const` tables.
     #[must_use]
     pub const fn new(word: &'static str, takes: Takes, about: &'static str) -> Self {

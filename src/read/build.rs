@@ -246,7 +246,9 @@ pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>
     let mut attributes = node.schema.all_attributes();
     let blamed = attributes.find(|attribute| attribute.word == refusal.word);
     let label = match (blamed, refusal.expected) {
-        (Some(attribute), _) if node.entry(refusal.word).is_none() => {
+        (Some(attribute), _)
+            if node.entry(refusal.word).is_none() && attribute.default.value().is_some() =>
+        {
             format!("expected another `{}` than the default", attribute.word)
         }
         (_, Some(expected)) => expected,

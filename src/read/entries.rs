@@ -4,8 +4,7 @@ use kdl::{KdlDocument, KdlEntry, KdlNode, KdlValue};
 use miette::SourceSpan;
 
 use super::check::{self, Raw};
-use super::schemas;
-use super::{Files, say, unknown};
+use super::{Files, say, schemas, unknown};
 use crate::language::{
     Attribute, Default, Entry, Location, Naming, Node, Problem, Schema, Value, did_you_mean,
 };

@@ -11,12 +11,16 @@ use crate::language::{Source, Sources, did_you_mean};
 pub struct Files {
     sources: Sources,
     directories: Vec<Vec<PathBuf>>,
+    /// Which file each text is, whatever it is called; `None` if it is none.
+    identities: Vec<Option<PathBuf>>,
 }
 
 impl Files {
     /// Adds a text and gives its index.
     pub(super) fn add(&mut self, source: Source, directories: Vec<PathBuf>) -> usize {
         self.directories.push(directories);
+        self.identities
+            .push(Path::new(&source.name).canonicalize().ok());
         self.sources.add(source)
     }
 
@@ -24,6 +28,16 @@ impl Files {
     #[must_use]
     pub fn get(&self, index: usize) -> &Source {
         self.sources.get(index)
+    }
+
+    /// Whether a text is, or is included by, the file of this path.
+    pub(super) fn is_within(&self, source: usize, path: &Path) -> bool {
+        let included_at = |source: &usize| Some(self.get(*source).included_at?.source);
+        let Ok(identity) = path.canonicalize() else {
+            return false;
+        };
+        std::iter::successors(Some(source), included_at)
+            .any(|source| self.identities[source].as_ref() == Some(&identity))
     }
 
     /// All texts.

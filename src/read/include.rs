@@ -1,7 +1,7 @@
 //! Scene files that scene files include.
 
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::files::{self, Files, nearby};
 use crate::language::{Attribute, Location, Naming, Node, Problem, Schema, Source, Takes, Value};
@@ -39,9 +39,7 @@ pub(super) fn open(node: &Node, files: &mut Files) -> Result<usize, Option<Probl
 fn source(path: &Path, at: Location, files: &Files) -> Result<Source, Problem> {
     let name = path.display();
     let error = |message: String, label: &str| Problem::error(at, message, label);
-    let chain = files.sources().include_chain(at);
-    let mut including = std::iter::once(at).chain(chain);
-    if including.any(|at| same_file(&PathBuf::from(&files.get(at.source).name), path)) {
+    if files.is_within(at.source, path) {
         let message = format!("{name} includes itself");
         let problem = error(message, "this include closes the circle");
         return Err(problem.help("remove one of the includes of the circle"));
@@ -76,11 +74,4 @@ fn source(path: &Path, at: Location, files: &Files) -> Result<Source, Problem> {
         text: text.into(),
         included_at: Some(at),
     })
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => a == b,
-    }
 }

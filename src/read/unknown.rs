@@ -1,7 +1,6 @@
 //! Words that are not known where they stand, and what was probably meant.
 
-use super::say;
-use super::schemas;
+use super::{say, schemas};
 use crate::language::{Attribute, Location, Problem, Schema, did_you_mean};
 
 /// A word that begins no node.

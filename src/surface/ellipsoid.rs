@@ -16,7 +16,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{Common, Hit, Sphere, Surface, globe, sphere::enters};
-use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
 
@@ -65,10 +65,11 @@ impl Ellipsoid {
             let refusal = Refusal::new("scale", "a factor is not above zero", advice);
             return Err(refusal.expected("expected three numbers above 0"));
         }
-        if radius.is_finite() && radius > 0.0 && !(axes.is_finite() && axes.min_element() > 0.0) {
-            let reason = "radius times scale is too large or too small to compute with";
-            let refusal = Refusal::new("scale", reason, "choose another unit of length");
-            return Err(refusal.expected("expected a product that a number can hold"));
+        let computable = axes.min_element() > 0.0 && axes.max_element() <= Range::LARGEST;
+        if radius.is_finite() && radius > 0.0 && !computable {
+            let reason = "radius times scale is out of range";
+            let refusal = Refusal::new("scale", reason, "choose a larger unit of length");
+            return Err(refusal.expected("expected a product of no more than 1.6e60, which is 2^200"));
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
             let advice = "give the radius in world units";
