@@ -20,16 +20,30 @@ fn a_triangle_is_one_file_one_line_and_one_arm() {
             continue;
         }
         let text = fs::read_to_string(&path).expect("source text");
-        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-        let lines: Vec<_> =
-            code.filter(|line| line.to_lowercase().contains("triangle")).collect();
-        let allowed = PLACES.iter().find(|(place, _)| *place == name).map_or(0, |(_, count)| *count);
+        let code = text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        let lines: Vec<_> = code
+            .filter(|line| line.to_lowercase().contains("triangle"))
+            .collect();
+        let allowed = PLACES
+            .iter()
+            .find(|(place, _)| *place == name)
+            .map_or(0, |(_, count)| *count);
         assert!(lines.len() <= allowed, "{name} knows triangles: {lines:#?}");
     }
 }
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-    let nested = entries.map(|path| if path.is_dir() { sources(&path) } else { vec![path] });
+    let entries = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path());
+    let nested = entries.map(|path| {
+        if path.is_dir() {
+            sources(&path)
+        } else {
+            vec![path]
+        }
+    });
     nested.flatten().collect()
 }

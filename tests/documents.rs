@@ -28,10 +28,14 @@ struct Shown {
 }
 
 fn documents() -> Vec<PathBuf> {
-    let docs = fs::read_dir("docs").expect("docs").map(|entry| entry.expect("an entry").path());
+    let docs = fs::read_dir("docs")
+        .expect("docs")
+        .map(|entry| entry.expect("an entry").path());
     let pages = docs.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
     let top = ["README.md", "CONTRIBUTING.md", "scenes/README.md"].map(PathBuf::from);
-    let mut documents: Vec<_> = pages.chain(top.into_iter().filter(|path| path.exists())).collect();
+    let mut documents: Vec<_> = pages
+        .chain(top.into_iter().filter(|path| path.exists()))
+        .collect();
     documents.sort();
     documents
 }
@@ -64,7 +68,10 @@ fn shown_commands(text: &str) -> Vec<Shown> {
         if let Some(language) = line.trim_start().strip_prefix("```") {
             inside = language == "console";
         } else if inside && let Some(command) = line.strip_prefix("$ ") {
-            shown.push(Shown { command: command.to_owned(), output: Vec::new() });
+            shown.push(Shown {
+                command: command.to_owned(),
+                output: Vec::new(),
+            });
         } else if inside && let Some(last) = shown.last_mut() {
             last.output.push(line.to_owned());
         }
@@ -80,11 +87,20 @@ fn check(document: &Path, shown: &Shown, folder: &Path) {
     let place = document.display();
     if command.contains("cargo ") {
         let script = fs::read_to_string(".ci/run").expect("the script of all checks");
-        assert!(script.contains(&command), "{place}: nothing runs `{command}`");
+        assert!(
+            script.contains(&command),
+            "{place}: nothing runs `{command}`"
+        );
         return;
     }
-    let program = Path::new(env!("CARGO_BIN_EXE_heliodon")).parent().expect("a folder");
-    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
+    let program = Path::new(env!("CARGO_BIN_EXE_heliodon"))
+        .parent()
+        .expect("a folder");
+    let path = format!(
+        "{}:{}",
+        program.display(),
+        std::env::var("PATH").unwrap_or_default()
+    );
     // A person sees both streams in one.
     let output = Command::new("bash")
         .args(["-c", &format!("{{ {command}; }} 2>&1")])
@@ -96,7 +112,11 @@ fn check(document: &Path, shown: &Shown, folder: &Path) {
     let printed: Vec<_> = printed.lines().map(str::trim_end).collect();
     let same = shown.output.is_empty()
         || printed.len() == shown.output.len()
-            && shown.output.iter().zip(&printed).all(|(shown, line)| matches(shown, line));
+            && shown
+                .output
+                .iter()
+                .zip(&printed)
+                .all(|(shown, line)| matches(shown, line));
     assert!(
         same,
         "{place}: `{command}` prints\n{}\nbut shown is\n{}",
@@ -104,7 +124,11 @@ fn check(document: &Path, shown: &Shown, folder: &Path) {
         shown.output.join("\n")
     );
     if shown.output.is_empty() {
-        assert!(output.status.success(), "{place}: `{command}` fails:\n{}", printed.join("\n"));
+        assert!(
+            output.status.success(),
+            "{place}: `{command}` fails:\n{}",
+            printed.join("\n")
+        );
     }
 }
 
@@ -116,7 +140,9 @@ fn matches(shown: &str, line: &str) -> bool {
     };
     let mut last = None;
     for part in parts {
-        let Some(at) = rest.find(part) else { return false };
+        let Some(at) = rest.find(part) else {
+            return false;
+        };
         rest = &rest[at + part.len()..];
         last = Some(part);
     }

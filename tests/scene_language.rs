@@ -72,7 +72,10 @@ fn rows(schema: &Schema) -> String {
     for attribute in schema.all_attributes() {
         rows += &row(&format!("`{}`", attribute.word), attribute);
         for property in attribute.properties {
-            rows += &row(&format!("`{} … {}=`", attribute.word, property.word), property);
+            rows += &row(
+                &format!("`{} … {}=`", attribute.word, property.word),
+                property,
+            );
         }
     }
     rows
@@ -82,8 +85,13 @@ fn row(word: &str, attribute: &Attribute) -> String {
     let default = match attribute.default {
         Default::Required => "required".to_owned(),
         Default::Absent => "none".to_owned(),
-        other => other.value().map_or(String::new(), |value| format!("`{value}`")),
+        other => other
+            .value()
+            .map_or(String::new(), |value| format!("`{value}`")),
     };
     let (takes, unit) = (attribute.takes.words(), attribute.unit);
-    format!("| {word} | {takes} | {unit} | {default} | {} |\n", attribute.about)
+    format!(
+        "| {word} | {takes} | {unit} | {default} | {} |\n",
+        attribute.about
+    )
 }

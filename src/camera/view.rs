@@ -117,7 +117,8 @@ impl View {
                         stray,
                         format!("`{stray}` means nothing to a camera with `screen`"),
                         "remove it, or aim the camera with `look-at` instead of `screen`",
-                    ));
+                    )
+                    .expected("expected only with `look-at`"));
                 }
                 let centered = screen
                     .property("origin")
@@ -144,14 +145,16 @@ impl View {
                     "camera",
                     "the camera has neither `screen` nor `look-at`",
                     "give `screen WIDTH HEIGHT` for the chapter's window, or `look-at X Y Z`",
-                ));
+                )
+                .expected("expected one of them between its braces"));
             }
             (Some(_), Some(_)) => {
                 return Err(Refusal::new(
                     "look-at",
                     "the camera has both `screen` and `look-at`",
                     "keep one of them",
-                ));
+                )
+                .expected("expected only one of the two"));
             }
         };
         view.camera(1, 1).map(|_| view)
@@ -174,7 +177,8 @@ impl View {
                         "viewpoint",
                         "the viewpoint is not in front of the screen",
                         "the screen lies in the plane z = 0; give the viewpoint a z above 0",
-                    ));
+                    )
+                    .expected("expected a z above 0"));
                 }
                 let corner = match origin {
                     WindowOrigin::Corner => DVec3::ZERO,
@@ -203,6 +207,7 @@ impl View {
                         "the camera looks at its own viewpoint",
                         "give `look-at` another point",
                     )
+                    .expected("expected another point than `viewpoint`")
                 })?;
                 let across = unit(up)
                     .and_then(|up| unit(ahead.cross(up)))
@@ -212,6 +217,7 @@ impl View {
                             "`up` is zero or points along the direction of view",
                             "`up` is what is up in the picture, such as 0 1 0",
                         )
+                        .expected("expected a direction across the view")
                     })?;
                 let half_height = libm::tan(field_of_view.to_radians() / 2.0);
                 let right = across * (2.0 * half_height * (width / height));

@@ -59,11 +59,20 @@ impl Problem {
         }
     }
 
-    /// The same problem with "did you mean …?" if there is a suggestion.
+    /// The same problem with "did you mean `…`?" if there is a word to suggest.
     #[must_use]
-    pub fn suggest(self, suggestion: Option<&str>) -> Self {
-        match suggestion {
-            Some(word) => self.help(format!("did you mean {word:?}?")),
+    pub fn suggest(self, word: Option<&str>) -> Self {
+        match word {
+            Some(word) => self.help(format!("did you mean `{word}`?")),
+            None => self,
+        }
+    }
+
+    /// The same problem with "did you mean "…"?" if there is a name to suggest.
+    #[must_use]
+    pub fn suggest_name(self, name: Option<&str>) -> Self {
+        match name {
+            Some(name) => self.help(format!("did you mean {name:?}?")),
             None => self,
         }
     }
@@ -90,12 +99,13 @@ pub fn render_problems(
     } else {
         GraphicalTheme::unicode_nocolor()
     };
-    let handler = GraphicalReportHandler::new_themed(theme)
-        .with_width(width)
-        .with_links(false);
     let mut text = String::new();
     for problem in problems {
         let report = Report::new(problem, sources);
+        let handler = GraphicalReportHandler::new_themed(theme.clone())
+            .with_width(width)
+            .with_links(false)
+            .with_context_lines(report.context_lines);
         // Writing to a String cannot fail.
         let _ = handler.render_report(&mut text, &report);
         text.push('\n');
@@ -107,23 +117,34 @@ pub fn render_problems(
 #[derive(Debug)]
 struct Report<'a> {
     problem: &'a Problem,
+    /// The text to show a part of; `None` for a problem without place, and for one on a line that
+    /// is too long to be shown.
     source: Option<NamedSource<Arc<str>>>,
+    /// How many lines to show before and after it.
+    context_lines: usize,
     help: Option<String>,
 }
 
 impl<'a> Report<'a> {
     fn new(problem: &'a Problem, sources: &Sources) -> Self {
         let mut help: Vec<String> = problem.help.iter().cloned().collect();
-        let source = problem.place.as_ref().map(|(at, _)| {
+        let mut context_lines = 0;
+        let source = problem.place.as_ref().and_then(|(at, label)| {
             for including in sources.include_chain(*at) {
                 help.push(format!("included at {}", sources.position(including)));
             }
             let source = sources.get(at.source);
-            NamedSource::new(&source.name, Arc::clone(&source.text))
+            if !source.lines_are_short(*at, 0) {
+                help.insert(0, format!("{label}, at {}", sources.position(*at)));
+                return None;
+            }
+            context_lines = usize::from(source.lines_are_short(*at, 1));
+            Some(NamedSource::new(&source.name, Arc::clone(&source.text)))
         });
         Self {
             problem,
             source,
+            context_lines,
             help: (!help.is_empty()).then(|| help.join("\n")),
         }
     }
@@ -156,7 +177,11 @@ impl Diagnostic for Report<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let (at, label) = self.problem.place.as_ref()?;
+        let (at, label) = self
+            .problem
+            .place
+            .as_ref()
+            .filter(|_| self.source.is_some())?;
         let span = LabeledSpan::new(Some(label.clone()), at.start, at.length);
         Some(Box::new(std::iter::once(span)))
     }

@@ -13,6 +13,8 @@ pub struct Refusal {
     pub reason: String,
     /// What to do about it.
     pub advice: String,
+    /// What was expected there, if it is more than the attribute's type.
+    pub expected: Option<String>,
 }
 
 impl Refusal {
@@ -22,6 +24,16 @@ impl Refusal {
             word,
             reason: reason.into(),
             advice: advice.into(),
+            expected: None,
+        }
+    }
+
+    /// The same refusal, which says what was expected.
+    #[must_use]
+    pub fn expected(self, expected: impl Into<String>) -> Self {
+        Self {
+            expected: Some(expected.into()),
+            ..self
         }
     }
 }

@@ -167,16 +167,17 @@ impl Range {
             }
     }
 
-    /// The range in words, after "a number" or "numbers": `above 0`.
+    /// Numbers of this range in words: `a number above 0`, `two whole numbers from 1 to 9`.
     #[must_use]
-    pub fn words(self) -> String {
+    pub fn words(self, article: &str, noun: &str) -> String {
+        let numbers = format!("{article} {noun}");
         match self {
-            Self::Any => String::new(),
-            Self::Positive => " above 0".to_owned(),
-            Self::NotNegative => " of 0 or more".to_owned(),
-            Self::Between(low, high) => format!(" from {low} to {high}"),
-            Self::Inside(low, high) => format!(" between {low} and {high}"),
-            Self::Whole(low, high) => format!(", whole, from {low} to {high}"),
+            Self::Any => numbers,
+            Self::Positive => format!("{numbers} above 0"),
+            Self::NotNegative => format!("{numbers} of 0 or more"),
+            Self::Between(low, high) => format!("{numbers} from {low} to {high}"),
+            Self::Inside(low, high) => format!("{numbers} between {low} and {high}"),
+            Self::Whole(low, high) => format!("{article} whole {noun} from {low} to {high}"),
         }
     }
 }
@@ -187,16 +188,21 @@ impl Takes {
     pub fn words(&self) -> String {
         match self {
             Self::Nothing => "nothing".to_owned(),
-            Self::Number(range) => format!("a number{}", range.words()),
-            Self::Pair(range) => format!("two numbers{}", range.words()),
+            Self::Number(range) => range.words("a", "number"),
+            Self::Pair(range) => range.words("two", "numbers"),
             Self::Triple => "three numbers".to_owned(),
             Self::Color => "one or three numbers".to_owned(),
             Self::NumberOrPair(range) => {
-                format!("a number{}, or two of them in quotes", range.words())
+                format!("{}, or two of them in quotes", range.words("a", "number"))
             }
             Self::Word(words) => {
                 let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
-                quoted.join(" or ")
+                match quoted.as_slice() {
+                    [most @ .., last] if !most.is_empty() => {
+                        format!("{} or {last}", most.join(", "))
+                    }
+                    _ => quoted.concat(),
+                }
             }
             Self::Name(reference) => format!("the name of a {}", reference.word()),
             Self::Path => "a file name in quotes".to_owned(),

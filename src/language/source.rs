@@ -72,6 +72,16 @@ impl Sources {
 }
 
 impl Source {
+    /// Whether the line of a location and this many lines around it are short enough to be shown.
+    #[must_use]
+    pub fn lines_are_short(&self, at: Location, around: usize) -> bool {
+        const LONGEST: usize = 400;
+        let (before, after) = self.text.split_at(self.text.floor_char_boundary(at.start));
+        let mut lines = before.rsplit('\n').take(around + 1);
+        let mut others = after.split('\n').take(around + 1);
+        lines.all(|line| line.len() <= LONGEST) && others.all(|line| line.len() <= LONGEST)
+    }
+
     /// Line and column of a byte, counted from 1, columns in characters.
     #[must_use]
     pub fn line_and_column(&self, byte: usize) -> (usize, usize) {

@@ -16,7 +16,7 @@ pub fn did_you_mean<'a>(
         .into_iter()
         .map(|candidate| {
             (
-                strsim::damerau_levenshtein(&word.to_lowercase(), candidate),
+                strsim::damerau_levenshtein(&word.to_lowercase(), &candidate.to_lowercase()),
                 candidate,
             )
         })

@@ -48,6 +48,7 @@ impl Cone {
                 "the spotlight points at its own location",
                 "give `point` another place, in the middle of what is to be lit",
             )
+            .expected("expected another point than `location`")
         })?;
         Ok(Self {
             point,

@@ -50,6 +50,7 @@ impl Flat {
                 "the normal is zero",
                 "a normal is the direction that the surface faces, such as 0 1 0 for a floor",
             )
+            .expected("expected a direction of any length but zero")
         })?;
         Ok(Self {
             point,

@@ -23,10 +23,12 @@ impl Frame {
     /// Refuses an `xdir` that is zero or parallel to the normal.
     pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, Refusal> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
-        let xdir = unit(xdir).ok_or_else(|| Refusal::new("xdir", "xdir is zero", advice))?;
+        let expected = "expected a direction that is not the normal's";
+        let refusal = |reason: &str| Refusal::new("xdir", reason, advice).expected(expected);
+        let xdir = unit(xdir).ok_or_else(|| refusal("xdir is zero"))?;
         // The cross product vanishes exactly when the two are parallel, before any projection.
-        let across = unit(normal.cross(xdir))
-            .ok_or_else(|| Refusal::new("xdir", "xdir is parallel to the normal", advice))?;
+        let across =
+            unit(normal.cross(xdir)).ok_or_else(|| refusal("xdir is parallel to the normal"))?;
         Ok(Self {
             x: across.cross(normal),
             y: across,

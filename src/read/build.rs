@@ -3,7 +3,10 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{Files, Options, names::Names, names::refuse_duplicates, surfaces, textures};
+use super::{
+    Files, Options, names::Names, names::refuse_duplicates, names::refuse_unknown, surfaces,
+    textures,
+};
 use crate::camera::View;
 use crate::language::{Location, Node, Problem, Reference, Refusal, Schema, Sources, Takes};
 use crate::light::{Beam, Cone, Light, Slide};
@@ -24,12 +27,14 @@ pub(super) struct Parts {
 
 /// Builds a scene from its nodes.
 ///
-/// Problems are added to the list; a scene that has any errors is not to be rendered.
+/// Problems are added to the list; a scene that has any errors is not to be rendered. That
+/// something is missing is a problem only if the nodes are complete.
 ///
 /// # Errors
 /// Gives back the sources if there is no camera or picture to build a scene around.
 pub(super) fn scene(
     nodes: &[Node],
+    complete: bool,
     options: &Options,
     files: Files,
     problems: &mut Vec<Problem>,
@@ -48,14 +53,16 @@ pub(super) fn scene(
         position,
     );
 
-    let picture = only(nodes, &Picture::SCHEMA, &files, problems).map(Picture::from_node);
-    let view = only(nodes, &View::SCHEMA, &files, problems).and_then(|node| {
+    if complete {
+        refuse_missing(nodes, problems);
+    }
+    let picture = sound(nodes, &Picture::SCHEMA, &files, problems).map(Picture::from_node);
+    let view = sound(nodes, &View::SCHEMA, &files, problems).and_then(|node| {
         View::from_node(node)
             .map_err(|no| refused(node, no, problems))
             .ok()
     });
-    let lighting = at_most_one(nodes, &Lighting::SCHEMA, &files, problems);
-    let lighting = lighting.filter(|node| node.sound);
+    let lighting = sound(nodes, &Lighting::SCHEMA, &files, problems);
     let picture = picture.map(|picture| Picture {
         width: options.size.map_or(picture.width, |[width, _]| width),
         height: options.size.map_or(picture.height, |[_, height]| height),
@@ -82,6 +89,10 @@ pub(super) fn scene(
     let textures = textures::load(of(nodes, &Texture::SCHEMA), &used, &files, problems);
     for (name, texture) in &textures {
         parts.textures.insert(name, texture.clone());
+    }
+
+    if complete {
+        refuse_unknown(nodes, &parts.textures, &parts.materials, problems);
     }
 
     let lights = nodes.iter().filter(|node| node.sound && is_light(node));
@@ -124,33 +135,37 @@ fn is_surface(node: &Node) -> bool {
     SCHEMAS.contains(&node.schema)
 }
 
-/// The one node of a kind that every scene needs.
-fn only<'a>(
-    nodes: &'a [Node],
-    schema: &'static Schema,
-    files: &Files,
-    problems: &mut Vec<Problem>,
-) -> Option<&'a Node> {
-    let node = at_most_one(nodes, schema, files, problems);
-    if node.is_none() {
-        let word = schema.word;
-        let at = Location {
-            source: 0,
-            start: 0,
-            length: 0,
-        };
-        let problem = Problem::error(at, format!("the scene has no `{word}`"), "expected one");
-        let example = match word {
-            "image" => "image 800 600",
-            _ => "camera { viewpoint 4 3 8; screen 8 6 }",
-        };
-        problems.push(problem.help(format!("add, for example, `{example}`")));
+/// Reports that there is no picture or no camera.
+fn refuse_missing(nodes: &[Node], problems: &mut Vec<Problem>) {
+    let start = Location {
+        source: 0,
+        start: 0,
+        length: 0,
+    };
+    if nodes.is_empty() && problems.is_empty() {
+        let problem = Problem::error(start, "the scene is empty", "expected a scene");
+        let help = "a scene begins with, for example,\n\
+                    image 800 600\n\
+                    camera { viewpoint 4 3 8; screen 8 6 }";
+        problems.push(problem.help(help));
+        return;
     }
-    node.filter(|node| node.sound)
+    for (schema, example) in [
+        (&Picture::SCHEMA, "image 800 600"),
+        (&View::SCHEMA, "camera { viewpoint 4 3 8; screen 8 6 }"),
+    ] {
+        let word = schema.word;
+        if of(nodes, schema).next().is_none() {
+            let message = format!("the scene has no `{word}`");
+            let label = format!("expected a node `{word}` in this file");
+            let problem = Problem::error(start, message, label);
+            problems.push(problem.help(format!("add, for example, `{example}`")));
+        }
+    }
 }
 
-/// The node of a kind that a scene may have once.
-fn at_most_one<'a>(
+/// The node of a kind that a scene may have once, if it is there and makes sense.
+fn sound<'a>(
     nodes: &'a [Node],
     schema: &'static Schema,
     files: &Files,
@@ -158,14 +173,14 @@ fn at_most_one<'a>(
 ) -> Option<&'a Node> {
     let mut all = of(nodes, schema);
     let first = all.next()?;
-    for second in all {
-        if let (Some(at), Some(earlier)) = (second.location, first.location) {
-            let message = format!("the scene has two `{}` nodes", schema.word);
+    for other in all {
+        if let (Some(at), Some(earlier)) = (other.location, first.location) {
+            let message = format!("the scene has more than one `{}`", schema.word);
             let label = format!("the first is at {}", files.sources().position(earlier));
             problems.push(Problem::error(at, message, label).help("keep one of them"));
         }
     }
-    Some(first)
+    Some(first).filter(|node| node.sound)
 }
 
 fn material(name: &str, node: &Node) -> Material {
@@ -228,7 +243,16 @@ fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slid
 
 /// Turns a refusal into an error at the attribute that it blames.
 pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
-    let label = format!("in this `{}`", node.word);
+    let mut attributes = node.schema.all_attributes();
+    let blamed = attributes.find(|attribute| attribute.word == refusal.word);
+    let label = match (blamed, refusal.expected) {
+        (Some(attribute), _) if node.entry(refusal.word).is_none() => {
+            format!("expected another `{}` than the default", attribute.word)
+        }
+        (_, Some(expected)) => expected,
+        (Some(attribute), None) => format!("expected {}", attribute.takes.words()),
+        (None, None) => format!("expected another `{}`", node.word),
+    };
     if let Some(at) = node.place(refusal.word) {
         problems.push(Problem::error(at, refusal.reason, label).help(refusal.advice));
     }

@@ -1,8 +1,10 @@
 //! The texts of a scene and where the files that they name are looked for.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::language::{Source, Sources};
+use crate::language::{Source, Sources, did_you_mean};
 
 /// The texts of a scene, each with the directories that its file names start from.
 #[derive(Debug, Default)]
@@ -52,21 +54,62 @@ impl Files {
     }
 }
 
+/// The bytes of a scene file.
+///
+/// # Errors
+/// The file system's, and one for a file that has no end or is far too large for a scene.
+pub(super) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    const MOST: u64 = 1 << 28;
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST {
+        let reason = format!("it has more than {} MiB", MOST >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, reason));
+    }
+    Ok(bytes)
+}
+
 /// A scene's text from its bytes; a byte order mark is dropped.
 ///
 /// # Errors
-/// What is wrong, in words, if the bytes are no UTF-8 text.
-pub(super) fn text_of(bytes: Vec<u8>) -> Result<String, String> {
+/// The first line that is not UTF-8.
+pub(super) fn text_of(bytes: Vec<u8>) -> Result<String, usize> {
     let text = String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..valid]
-            .iter()
-            .filter(|byte| **byte == b'\n')
-            .count()
-            + 1;
-        format!("line {line} is not UTF-8 text; is this a scene file?")
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        valid.iter().filter(|byte| **byte == b'\n').count() + 1
     })?;
     Ok(text
         .strip_prefix('\u{feff}')
         .map_or(text.clone(), str::to_owned))
+}
+
+/// Why a file cannot be read, in words that are the same on every system where that is possible.
+pub(super) fn reason(path: &Path, error: &io::Error) -> String {
+    if path.is_dir() {
+        "it is a folder".to_owned()
+    } else if error.kind() == io::ErrorKind::PermissionDenied {
+        "it may not be read".to_owned()
+    } else {
+        error.to_string()
+    }
+}
+
+/// Advice about a file that is missing: one of its folder with nearly the same name, or else `otherwise`.
+pub(super) fn nearby(path: &Path, otherwise: &str) -> String {
+    let folder = match path.parent() {
+        Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+        Some(parent) => parent,
+        None => return otherwise.to_owned(),
+    };
+    let mut names: Vec<_> = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .collect();
+    names.sort_unstable();
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    match did_you_mean(&name, names.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => otherwise.to_owned(),
+    }
 }

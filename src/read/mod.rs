@@ -3,17 +3,23 @@
 mod build;
 mod check;
 mod course;
+mod entries;
 mod files;
+mod include;
 mod kdl;
 mod names;
-mod nesting;
+mod pieces;
+mod say;
 mod surfaces;
+mod syntax;
 mod textures;
+mod unknown;
 
 use std::path::{Path, PathBuf};
 
 use crate::language::{Problem, Schema, Severity, Source, Sources};
 use crate::scene::Scene;
+use kdl::Nodes;
 
 pub use files::Files;
 
@@ -62,7 +68,7 @@ pub struct Rejection {
 
 /// Every kind of node that a KDL scene file may hold.
 pub fn schemas() -> impl Iterator<Item = &'static Schema> {
-    Scene::schemas().chain([&kdl::INCLUDE])
+    Scene::schemas().chain([&include::INCLUDE])
 }
 
 /// Reads a scene file.
@@ -70,7 +76,7 @@ pub fn schemas() -> impl Iterator<Item = &'static Schema> {
 /// # Errors
 /// The file system's error if the file cannot be read; a [`Rejection`] if it is not a scene.
 pub fn read_file(path: &Path, options: &Options) -> std::io::Result<Result<Reading, Rejection>> {
-    let bytes = std::fs::read(path)?;
+    let bytes = files::bytes_of(path)?;
     let directory = path.parent().map(Path::to_owned).unwrap_or_default();
     Ok(read_bytes(
         &path.display().to_string(),
@@ -111,28 +117,33 @@ pub fn read_bytes(
             };
             files.add(source, directories)
         }
-        Err(problem) => {
+        Err(line) => {
             let source = Source {
                 name: name.to_owned(),
                 text: "".into(),
                 included_at: None,
             };
             files.add(source, directories);
-            let problem = Problem {
-                message: format!("{name}: {problem}"),
-                ..no_place()
-            };
             return Err(Rejection {
-                problems: vec![problem],
+                problems: vec![Problem {
+                    message: format!("{name} is not a text: line {line} is not UTF-8"),
+                    help: Some("save it as UTF-8, if it is a scene file".to_owned()),
+                    ..no_place()
+                }],
                 sources: files.into_sources(),
             });
         }
     };
-    let nodes = match language {
+    let Nodes { nodes, complete } = match language {
         Language::Kdl => kdl::read(source, &mut files, &mut problems),
-        Language::Course => course::read(source, &files, &mut problems),
+        Language::Course => Nodes {
+            nodes: course::read(source, &files, &mut problems),
+            complete: true,
+        },
     };
-    let built = build::scene(&nodes, options, files, &mut problems);
+    let built = build::scene(&nodes, complete, options, files, &mut problems);
+    // In the order of the text, whoever found them.
+    problems.sort_by_key(|problem| problem.place.as_ref().map(|(at, _)| (at.source, at.start)));
     let (errors, warnings): (Vec<_>, Vec<_>) = problems
         .into_iter()
         .partition(|problem| problem.severity == Severity::Error);
@@ -155,7 +166,10 @@ fn limited(mut errors: Vec<Problem>, warnings: Vec<Problem>) -> Vec<Problem> {
         let more = errors.len() - MOST_ERRORS;
         errors.truncate(MOST_ERRORS);
         errors.push(Problem {
-            message: format!("{more} more errors are not shown"),
+            message: match more {
+                1 => "1 more error is not shown".to_owned(),
+                more => format!("{more} more errors are not shown"),
+            },
             help: Some("mend the first ones and look again".to_owned()),
             ..no_place()
         });

@@ -1,9 +1,10 @@
 //! Names and what they stand for.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use crate::language::{Location, Node, Problem, did_you_mean};
+use super::{MOST_ERRORS, say};
+use crate::language::{Location, Node, Problem, Reference, Takes, Value, did_you_mean};
 
 /// The things of one kind that have names, in file order.
 #[derive(Debug)]
@@ -26,49 +27,54 @@ impl<T> Names<T> {
         self.known.entry(name.to_owned()).or_insert(thing);
     }
 
-    /// The thing that an attribute of a node names.
-    ///
-    /// `None` if there is none; that is a problem, unless it is one already.
-    pub(super) fn find(
-        &self,
-        node: &Node,
-        word: &str,
-        problems: &mut Vec<Problem>,
-    ) -> Option<Arc<T>> {
-        let name = node.text(word);
-        if let Some(thing) = self.known.get(&name) {
-            return thing.clone();
+    /// The thing that an attribute of a node names, if it could be made.
+    pub(super) fn find(&self, node: &Node, word: &str) -> Option<Arc<T>> {
+        self.known.get(&node.text(word))?.clone()
+    }
+
+    /// The problem if nothing has this name.
+    fn missing(&self, name: &str, at: Location) -> Option<Problem> {
+        if self.known.contains_key(name) {
+            return None;
         }
         let kind = self.kind;
-        if let Some(at) = node.place(word) {
-            let mut names: Vec<_> = self.known.keys().map(String::as_str).collect();
-            names.sort_unstable();
-            let suggestion = did_you_mean(&name, names.iter().copied());
-            let label = format!("expected the name of a {kind}");
-            let problem = Problem::error(at, format!("there is no {kind} {name:?}"), label);
-            problems.push(match (suggestion, names.as_slice()) {
-                (None, []) => problem.help(format!("the scene has no {kind} yet; add one")),
-                (None, names) => problem.help(format!("the scene has {}", listed(names))),
-                (suggestion, _) => problem.suggest(suggestion),
-            });
-        }
-        None
+        let message = format!("there is no {kind} {}", say::quoted(name));
+        let problem = Problem::error(at, message, format!("expected the name of a {kind}"));
+        let mut names: Vec<_> = self.known.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        Some(match did_you_mean(name, names.iter().copied()) {
+            None if names.is_empty() => {
+                problem.help(format!("the scene has no {kind} yet; add one"))
+            }
+            None => problem.help(format!("the scene has {}", say::names(&names))),
+            suggestion => problem.suggest_name(suggestion),
+        })
     }
 }
 
-fn listed(names: &[&str]) -> String {
-    const MOST: usize = 8;
-    let shown: Vec<_> = names
-        .iter()
-        .take(MOST)
-        .map(|name| format!("{name:?}"))
-        .collect();
-    let rest = if names.len() > MOST {
-        " and others"
-    } else {
-        ""
-    };
-    shown.join(", ") + rest
+/// Reports the names that stand for nothing, each once however often it is used.
+pub(super) fn refuse_unknown(
+    nodes: &[Node],
+    textures: &Names<impl Sized>,
+    materials: &Names<impl Sized>,
+    problems: &mut Vec<Problem>,
+) {
+    let mut seen = HashSet::new();
+    for entry in nodes.iter().flat_map(|node| &node.attributes) {
+        let (Takes::Name(reference), Some(Value::Text(name)), Some(at)) =
+            (entry.attribute.takes, &entry.value, entry.location)
+        else {
+            continue;
+        };
+        let first = seen.insert((reference.word(), name));
+        // One that is not shown need not be explained.
+        if first && problems.len() <= MOST_ERRORS {
+            problems.extend(match reference {
+                Reference::Texture => textures.missing(name, at),
+                Reference::Material => materials.missing(name, at),
+            });
+        }
+    }
 }
 
 /// Reports names that two nodes of one kind share.
@@ -89,8 +95,8 @@ pub(super) fn refuse_duplicates<'a>(
         let (Some(at), Some(earlier)) = (node.location, earlier) else {
             continue;
         };
-        let message = format!("the name {name:?} is given twice");
-        let label = format!("already used at {}", position(*earlier));
+        let message = format!("the name {} is given twice", say::quoted(name));
+        let label = format!("the first is at {}", position(*earlier));
         problems.push(Problem::error(at, message, label).help("give one of them another name"));
     }
 }

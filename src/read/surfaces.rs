@@ -17,7 +17,7 @@ pub(super) fn surface(
     parts: &Parts,
     problems: &mut Vec<Problem>,
 ) -> Option<Box<dyn Surface>> {
-    let material = parts.materials.find(node, "material", problems);
+    let material = parts.materials.find(node, "material");
     let shadow = |word| {
         let entry = node.entry("shadows");
         entry
@@ -40,7 +40,7 @@ pub(super) fn surface(
         "plane" => boxed(Plane::new(common(material?), point(), normal())),
         "finite-plane" => boxed(finite_plane(node, common(material?))),
         "tiled-plane" => {
-            let alternate = parts.materials.find(node, "alternate", problems);
+            let alternate = parts.materials.find(node, "alternate");
             let plane = Plane::new(common(material?), point(), normal());
             let start = TileStart::from_word(&node.text("start"));
             let (xdir, tile, alternate) =
@@ -59,12 +59,12 @@ pub(super) fn surface(
             boxed(plane.map(|plane| ProceduralPlane::new(plane, shader)))
         }
         "sphere" => {
-            let texture = wrapped(node, parts, problems)?;
+            let texture = wrapped(node, parts)?;
             let (center, radius) = (node.triple("center"), node.number("radius"));
             boxed(Sphere::new(common(material?), center, radius, texture))
         }
         "ellipsoid" => {
-            let texture = wrapped(node, parts, problems)?;
+            let texture = wrapped(node, parts)?;
             let (center, radius) = (node.triple("center"), node.number("radius"));
             let scale = node.triple("scale");
             boxed(Ellipsoid::new(
@@ -100,14 +100,10 @@ fn finite_plane(node: &Node, common: Common) -> Result<FinitePlane, Refusal> {
     )
 }
 
-/// The texture of a round thing, which may have none; the outer `None` is a problem.
-fn wrapped(
-    node: &Node,
-    parts: &Parts,
-    problems: &mut Vec<Problem>,
-) -> Option<Option<Arc<Texture>>> {
+/// The texture of a round thing, which may have none; the outer `None` if it cannot be had.
+fn wrapped(node: &Node, parts: &Parts) -> Option<Option<Arc<Texture>>> {
     if node.entry("texture").is_none() {
         return Some(None);
     }
-    parts.textures.find(node, "texture", problems).map(Some)
+    parts.textures.find(node, "texture").map(Some)
 }

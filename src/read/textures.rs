@@ -1,13 +1,16 @@
 //! Texture files: only those in use are decoded, each once.
 
 use std::collections::HashSet;
+use std::io::ErrorKind;
 use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Files, build::Parts};
+use super::{Files, build::Parts, files};
 use crate::language::{Node, Problem, Value};
-use crate::texture::{DecodeError, Texture, TextureMap, check, decode};
+use crate::texture::{
+    DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, check, decode,
+};
 
 /// The textures of a scene by name; `None` for one that is not used or cannot be read.
 ///
@@ -58,17 +61,36 @@ fn path(node: &Node, files: &Files) -> std::path::PathBuf {
     files.locate(node.location.map_or(0, |at| at.source), file(node))
 }
 
-fn report(node: &Node, error: &DecodeError, problems: &mut Vec<Problem>) {
+fn report(node: &Node, DecodeError { path, fault }: &DecodeError, problems: &mut Vec<Problem>) {
     let Some(at) = node.location else { return };
-    let help = match error {
-        DecodeError::Io { source, .. } if source.kind() == std::io::ErrorKind::NotFound => {
-            "file names are relative to the scene file; is it spelled right?"
-        }
-        DecodeError::Io { .. } => "the file must be one that you may read",
-        DecodeError::Format { .. } => "textures are PNG, JPEG, PPM or PGM files",
-        DecodeError::Empty { .. } => "a texture needs at least one pixel",
+    let name = path.display();
+    let (message, help) = match fault {
+        Fault::Io(error) if error.kind() == ErrorKind::NotFound => (
+            format!("there is no file {name}"),
+            files::nearby(path, "file names are relative to the scene file"),
+        ),
+        Fault::Io(error) => (
+            format!("cannot read {name}: {}", files::reason(path, error)),
+            "name a file that you may read".to_owned(),
+        ),
+        Fault::Format(reason) => (
+            format!("{name} is not a texture: {reason}"),
+            "textures are PNG, JPEG, PPM and PGM files".to_owned(),
+        ),
+        Fault::Damaged(reason) => (
+            format!("{name} is damaged: {reason}"),
+            "write or copy the file again".to_owned(),
+        ),
+        Fault::Empty(width, height) => (
+            format!("{name} is empty: {width} by {height} texels"),
+            "a texture has at least one texel".to_owned(),
+        ),
+        Fault::TooLarge(width, height) => (
+            format!("{name} is too large: {width} by {height} texels"),
+            format!("a texture has at most {LONGEST_SIDE} texels a side and {MOST_TEXELS} in all"),
+        ),
     };
-    problems.push(Problem::error(at, error.to_string(), "needed by this texture").help(help));
+    problems.push(Problem::error(at, message, "expected an image file").help(help));
 }
 
 /// The texture of a rectangle, and whether the scene gives the size of its texels.
@@ -77,30 +99,30 @@ pub(super) fn map(
     parts: &Parts,
     problems: &mut Vec<Problem>,
 ) -> Option<(TextureMap, bool)> {
-    let texture = parts.textures.find(node, "texture", problems)?;
+    let texture = parts.textures.find(node, "texture")?;
     let entry = node.entry("texture")?;
     let given = entry.property("texel").map(|texel| texel.pair());
     let repeat = entry
         .property("mode")
         .is_some_and(|mode| mode.text() == "repeat");
     if !repeat {
-        if given.is_some()
-            && let Some(at) = entry.location
-        {
+        let stray = entry
+            .properties
+            .iter()
+            .find(|given| given.attribute.word == "texel");
+        if let Some(at) = stray.and_then(|stray| stray.location) {
             let message = "`texel` means nothing to a texture that is clamped";
-            let problem = Problem::error(at, message, "stretched over the whole surface");
-            problems.push(problem.help("remove `texel`, or say `mode=\"repeat\"`"));
+            let problem = Problem::error(at, message, "expected only with `mode=\"repeat\"`");
+            problems.push(problem.help("remove `texel`, or add `mode=\"repeat\"`"));
         }
         return Some((TextureMap::clamp(texture, node.pair("dimensions")), false));
     }
     let Some(texel) = given.or(parts.pixel_size) else {
         if let Some(at) = entry.location {
-            let problem = Problem::error(
-                at,
-                "a repeated texture needs the size of its texels",
-                "this camera has no screen that could give one",
-            );
-            problems.push(problem.help("add `texel=0.01`: the world size of one texel"));
+            let message = "a repeated texture lacks the size of its texels";
+            let label = "expected `texel=…`, as the camera has no `screen` to take it from";
+            let problem = Problem::error(at, message, label);
+            problems.push(problem.help("add the world size of one texel, such as `texel=0.01`"));
         }
         return None;
     };

@@ -59,8 +59,9 @@ mod tests {
     #[test]
     fn square_counts_put_one_place_into_each_cell() {
         let cell = |place: f64| ((place + 0.5) * 4.0).floor();
-        let mut cells: Vec<_> =
-            samples(7, 9, 16).map(|(x, y)| (4.0 * cell(y) + cell(x)).to_bits()).collect();
+        let mut cells: Vec<_> = samples(7, 9, 16)
+            .map(|(x, y)| (4.0 * cell(y) + cell(x)).to_bits())
+            .collect();
         cells.sort_unstable();
         cells.dedup();
         assert_eq!(cells.len(), 16);

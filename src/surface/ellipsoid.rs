@@ -62,7 +62,13 @@ impl Ellipsoid {
         let axes = scale * radius;
         if !(scale.is_finite() && scale.min_element() > 0.0) {
             let advice = "1 1 1 is a sphere, 1 0.3 1 a flat saucer";
-            return Err(Refusal::new("scale", "every factor must be above zero", advice));
+            let refusal = Refusal::new("scale", "a factor is not above zero", advice);
+            return Err(refusal.expected("expected three numbers above 0"));
+        }
+        if radius.is_finite() && radius > 0.0 && !(axes.is_finite() && axes.min_element() > 0.0) {
+            let reason = "radius times scale is too large or too small to compute with";
+            let refusal = Refusal::new("scale", reason, "choose another unit of length");
+            return Err(refusal.expected("expected a product that a number can hold"));
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
             let advice = "give the radius in world units";
