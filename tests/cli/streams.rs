@@ -47,7 +47,7 @@ fn json_is_one_object_a_scene() {
     assert_eq!(lines[0]["exit"], 0);
     assert_eq!(lines[1]["exit"], 3);
     assert_eq!(lines[1]["problems"][0]["place"]["line"], 7);
-    assert_eq!(lines[1]["problems"][0]["place"]["column"], 53);
+    assert_eq!(lines[1]["problems"][0]["place"]["column"], 56);
 }
 
 #[test]
