@@ -117,7 +117,9 @@ fn code_4_when_a_file_is_missing_or_cannot_be_written() {
 #[test]
 fn code_5_when_a_pixel_is_infinite_and_the_picture_is_written() {
     let shell = Shell::new();
-    let blinding = SCENE.replace("ambient 1; diffuse 3;", "ambient 1.7e308; diffuse 1.7e308;");
+    // Two mirrors that make each image brighter than the one before.
+    let blinding = SCENE.replace("specular 0.3", "specular 1e60")
+        + "plane { material chalk; point 0 9 0; normal 0 -1 0 }\n";
     shell.write(
         "blinding.kdl",
         &blinding.replace("image 40 30", "image 4 3"),

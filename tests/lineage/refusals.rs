@@ -48,7 +48,7 @@ fn an_unknown_mode() {
             material "white"; point 0 0 0; normal 0 0 1; xdir 1 0 0; dimensions 1 1
             texture "white" mode="mirror"
         }"#;
-    assert_eq!(refused(text), "`mode` does not know \"mirror\"");
+    assert_eq!(refused(text), "`mode` cannot be \"mirror\"");
 }
 
 fn poster(file: &[u8]) -> Stage {
@@ -93,7 +93,7 @@ fn bad_image_files() {
         }"#;
     let message = refused(missing);
     assert!(
-        message.starts_with("cannot read") && message.contains("gone.ppm"),
+        message.starts_with("there is no file") && message.contains("gone.ppm"),
         "{message}"
     );
     let files: [&[u8]; 5] = [
