@@ -43,7 +43,16 @@ fn seeds() -> Vec<Seed> {
         .collect();
     paths.sort();
     let seed = |path: &PathBuf| {
-        let text = std::fs::read_to_string(path).expect("a text");
+        let mut text = std::fs::read_to_string(path).expect("a text");
+        // What a good scene includes has large textures, too.
+        while let Some((before, rest)) = text.split_once("\ninclude \"parts/") {
+            let (part, after) = rest.split_once('"').expect("a closing quote");
+            let part = std::fs::read_to_string(root.join("scenes/parts").join(part));
+            let part = part
+                .expect("a text")
+                .replace("../../textures/", "../textures/");
+            text = format!("{before}\n{part}{after}");
+        }
         let words: Vec<_> = text.split('"').collect();
         let small = words
             .iter()

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::limits::refuse_too_large;
 use super::{
     Files, Options, names::Names, names::refuse_duplicates, names::refuse_unknown, surfaces,
     textures,
@@ -53,6 +54,7 @@ pub(super) fn scene(
         position,
     );
 
+    refuse_too_large(nodes, problems);
     if complete {
         refuse_missing(nodes, problems);
     }

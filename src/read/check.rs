@@ -112,18 +112,6 @@ fn number(attribute: &Attribute, raw: &(Raw, Location), range: Range) -> Result<
     let expected = range.words("a", "number");
     match raw {
         (Raw::Number(number), at) if number.is_finite() => {
-            if range.contains(*number) && too_large(attribute, *number) {
-                let largest = "expected no more than 1.6e60, which is 2^200";
-                let label = format!("{largest}, found {}", Value::Number(*number));
-                let problem = Problem::error(*at, format!("`{word}` is too large"), label);
-                let length = attribute.unit == "world units";
-                let what = if length {
-                    "a larger unit of length"
-                } else {
-                    "a smaller number"
-                };
-                return Err(problem.help(format!("choose {what}")));
-            }
             if range.contains(*number) {
                 return Ok(*number);
             }
@@ -148,11 +136,6 @@ fn number(attribute: &Attribute, raw: &(Raw, Location), range: Range) -> Result<
         }
         _ => Err(wrong_type(attribute, &expected, raw)),
     }
-}
-
-/// Whether a number is too large to compute with.
-fn too_large(attribute: &Attribute, number: f64) -> bool {
-    number.abs() > Range::LARGEST && !attribute.is_direction()
 }
 
 fn number_or_pair(

@@ -66,6 +66,18 @@ impl Files {
             .cloned()
             .unwrap_or_else(|| Path::new(file).to_owned())
     }
+
+    /// What the scene file itself would call a file that a text of it names.
+    #[must_use]
+    pub fn name_in_scene(&self, source: usize, file: &str) -> String {
+        if source == 0 {
+            return file.to_owned();
+        }
+        let path = self.locate(source, file);
+        let directory = self.directories[0].first();
+        let relative = directory.and_then(|directory| path.strip_prefix(directory).ok());
+        relative.unwrap_or(&path).display().to_string()
+    }
 }
 
 /// The bytes of a scene file.

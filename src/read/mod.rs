@@ -7,6 +7,7 @@ mod entries;
 mod files;
 mod include;
 mod kdl;
+mod limits;
 mod names;
 mod pieces;
 mod say;
@@ -142,8 +143,11 @@ pub fn read_bytes(
         },
     };
     let built = build::scene(&nodes, complete, options, files, &mut problems);
-    // In the order of the text, whoever found them.
-    problems.sort_by_key(|problem| problem.place.as_ref().map(|(at, _)| (at.source, at.start)));
+    // In the order of the text, whoever found them; what lacks in the whole text comes last.
+    problems.sort_by_key(|problem| {
+        let place = problem.place.as_ref();
+        place.map(|(at, _)| (at.length == 0, at.source, at.start))
+    });
     let (errors, warnings): (Vec<_>, Vec<_>) = problems
         .into_iter()
         .partition(|problem| problem.severity == Severity::Error);

@@ -50,7 +50,9 @@ fn read(node: &Node, name: &str, files: &Files) -> Result<Texture, DecodeError> 
     let divisor = node
         .property("divisor")
         .map_or(255.0, |divisor| divisor.number());
-    Ok(Texture::new(name, file(node), path, texels, divisor))
+    let source = node.location.map_or(0, |at| at.source);
+    let file = files.name_in_scene(source, file(node));
+    Ok(Texture::new(name, &file, path, texels, divisor))
 }
 
 fn file(node: &Node) -> &str {

@@ -43,7 +43,11 @@ impl Ellipsoid {
         attributes: &[
             Common::ATTRIBUTES,
             Sphere::ATTRIBUTES,
-            &[Attribute::new("scale", Takes::Triple, "factors along x, y and z; each above 0")],
+            &[Attribute::new(
+                "scale",
+                Takes::Triple,
+                "factors along x, y and z; each above 0",
+            )],
             globe::ATTRIBUTES,
         ],
     };
@@ -69,14 +73,27 @@ impl Ellipsoid {
         if radius.is_finite() && radius > 0.0 && !computable {
             let reason = "radius times scale is out of range";
             let refusal = Refusal::new("scale", reason, "choose a larger unit of length");
-            return Err(refusal.expected("expected a product of no more than 1.6e60, which is 2^200"));
+            return Err(
+                refusal.expected("expected a product of no more than 1.6e60, which is 2^200")
+            );
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
             let advice = "give the radius in world units";
-            return Err(Refusal::new("radius", "the radius must be above zero", advice));
+            return Err(Refusal::new(
+                "radius",
+                "the radius must be above zero",
+                advice,
+            ));
         }
         let image = texture.map(|texture| TextureMap::clamp(texture, globe::WHOLE));
-        Ok(Self { common, center, radius, scale, axes, image })
+        Ok(Self {
+            common,
+            center,
+            radius,
+            scale,
+            axes,
+            image,
+        })
     }
 
     /// From a point on the ellipsoid to the same point on the unit sphere.
@@ -95,8 +112,16 @@ impl Surface for Ellipsoid {
         let entered = enters(origin, dir, 1.0)?;
         let t = Some(entered / speed).filter(|t| span.contains(*t))?;
         let on_sphere = direction(origin + dir * entered);
-        let point = Point { anchor: self.center, offset: on_sphere * self.axes };
-        Some(Hit { t, point, normal: direction(on_sphere / self.axes), uv: DVec2::ZERO })
+        let point = Point {
+            anchor: self.center,
+            offset: on_sphere * self.axes,
+        };
+        Some(Hit {
+            t,
+            point,
+            normal: direction(on_sphere / self.axes),
+            uv: DVec2::ZERO,
+        })
     }
 
     fn common(&self) -> &Common {
@@ -112,7 +137,10 @@ impl Surface for Ellipsoid {
     }
 
     fn bounds(&self) -> Option<Bounds> {
-        Some(Bounds { min: self.center - self.axes, max: self.center + self.axes })
+        Some(Bounds {
+            min: self.center - self.axes,
+            max: self.center + self.axes,
+        })
     }
 
     fn side(&self, point: &Point) -> Side {
@@ -120,7 +148,9 @@ impl Surface for Ellipsoid {
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {
-        let Some(image) = &self.image else { return Rgb::WHITE };
+        let Some(image) = &self.image else {
+            return Rgb::WHITE;
+        };
         globe::texel(image, direction(self.on_unit_sphere(&hit.point)))
     }
 }

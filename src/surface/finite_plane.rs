@@ -31,10 +31,22 @@ impl FinitePlane {
     /// The attributes that a rectangle adds to a plane's; its `point` is the lower-left corner.
     pub(crate) const ATTRIBUTES: &[Attribute] = &[
         Attribute::new("point", Takes::Triple, "the lower-left corner").unit("world units"),
-        Attribute::new("normal", Takes::Triple, "the direction it faces; any length but zero"),
-        Attribute::new("xdir", Takes::Triple, "where its own x grows; projected into the plane"),
-        Attribute::new("dimensions", Takes::Pair(Range::Positive), "width along x, height along y")
-            .unit("world units"),
+        Attribute::new(
+            "normal",
+            Takes::Triple,
+            "the direction it faces; any length but zero",
+        ),
+        Attribute::new(
+            "xdir",
+            Takes::Triple,
+            "where its own x grows; projected into the plane",
+        ),
+        Attribute::new(
+            "dimensions",
+            Takes::Pair(Range::Positive),
+            "width along x, height along y",
+        )
+        .unit("world units"),
     ];
 
     /// The `finite-plane` node of the scene language.
@@ -59,7 +71,12 @@ impl FinitePlane {
         dimensions: DVec2,
     ) -> Result<Self, Refusal> {
         let rectangle = Rectangle::new(point, normal, xdir, dimensions)?;
-        Ok(Self { common, rectangle, given_normal: normal, given_xdir: xdir })
+        Ok(Self {
+            common,
+            rectangle,
+            given_normal: normal,
+            given_xdir: xdir,
+        })
     }
 
     /// The shape.
@@ -81,7 +98,12 @@ impl Surface for FinitePlane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let (t, uv) = self.rectangle.hits(ray, span)?;
         let point = self.rectangle.point(uv);
-        Some(Hit { t, point, normal: self.rectangle.flat.normal, uv })
+        Some(Hit {
+            t,
+            point,
+            normal: self.rectangle.flat.normal,
+            uv,
+        })
     }
 
     fn common(&self) -> &Common {

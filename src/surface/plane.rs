@@ -28,7 +28,11 @@ impl Plane {
     /// The attributes that a plane and what is made of one take.
     pub(super) const ATTRIBUTES: &[Attribute] = &[
         Attribute::new("point", Takes::Triple, "a point in the plane").unit("world units"),
-        Attribute::new("normal", Takes::Triple, "the direction it faces; any length but zero"),
+        Attribute::new(
+            "normal",
+            Takes::Triple,
+            "the direction it faces; any length but zero",
+        ),
     ];
 
     /// The `plane` node of the scene language.
@@ -46,7 +50,11 @@ impl Plane {
     /// # Errors
     /// Refuses a zero normal.
     pub fn new(common: Common, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
-        Ok(Self { common, flat: Flat::new(point, normal)?, given_normal: normal })
+        Ok(Self {
+            common,
+            flat: Flat::new(point, normal)?,
+            given_normal: normal,
+        })
     }
 
     /// The unit normal.
@@ -57,7 +65,8 @@ impl Plane {
 
     /// Adds the plane's attributes to a node.
     pub(super) fn describe_into(&self, node: Node) -> Node {
-        node.with("point", self.flat.point).with("normal", self.given_normal)
+        node.with("point", self.flat.point)
+            .with("normal", self.given_normal)
     }
 }
 
@@ -65,7 +74,12 @@ impl Surface for Plane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let t = self.flat.hits(ray, span)?;
         let point = self.flat.foot(ray, t);
-        Some(Hit { t, point, normal: self.flat.normal, uv: DVec2::ZERO })
+        Some(Hit {
+            t,
+            point,
+            normal: self.flat.normal,
+            uv: DVec2::ZERO,
+        })
     }
 
     fn common(&self) -> &Common {

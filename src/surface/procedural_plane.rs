@@ -39,7 +39,9 @@ impl Shader {
     /// The shader with this word.
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {
-        [Self::Stripes, Self::ColorWheel].into_iter().find(|shader| shader.word() == word)
+        [Self::Stripes, Self::ColorWheel]
+            .into_iter()
+            .find(|shader| shader.word() == word)
     }
 
     fn word(self) -> &'static str {
@@ -80,7 +82,11 @@ impl ProceduralPlane {
         attributes: &[
             Common::ATTRIBUTES,
             Plane::ATTRIBUTES,
-            &[Attribute::new("shader", Takes::Word(&Shader::WORDS), "the formula")],
+            &[Attribute::new(
+                "shader",
+                Takes::Word(&Shader::WORDS),
+                "the formula",
+            )],
         ],
     };
 
@@ -101,7 +107,9 @@ impl Surface for ProceduralPlane {
     }
 
     fn describe(&self) -> Node {
-        self.plane.describe_into(Node::new(&Self::SCHEMA, None)).with("shader", self.shader.word())
+        self.plane
+            .describe_into(Node::new(&Self::SCHEMA, None))
+            .with("shader", self.shader.word())
     }
 
     fn flat(&self) -> Option<Flat> {
@@ -132,6 +140,9 @@ mod tests {
     #[test]
     fn the_wheel_is_reddest_along_x() {
         let color = Shader::ColorWheel.at(1.0, 0.0);
-        assert!((color.r - 2.0).abs() < 1e-15 && (color.g - 0.5).abs() < 1e-15, "{color:?}");
+        assert!(
+            (color.r - 2.0).abs() < 1e-15 && (color.g - 0.5).abs() < 1e-15,
+            "{color:?}"
+        );
     }
 }

@@ -57,10 +57,19 @@ impl Sphere {
     ) -> Result<Self, Refusal> {
         if !(radius.is_finite() && radius > 0.0) {
             let advice = "give the radius in world units";
-            return Err(Refusal::new("radius", "the radius must be above zero", advice));
+            return Err(Refusal::new(
+                "radius",
+                "the radius must be above zero",
+                advice,
+            ));
         }
         let image = texture.map(|texture| TextureMap::clamp(texture, globe::WHOLE));
-        Ok(Self { common, center, radius, image })
+        Ok(Self {
+            common,
+            center,
+            radius,
+            image,
+        })
     }
 }
 
@@ -89,8 +98,16 @@ impl Surface for Sphere {
         let t = enters(origin, ray.dir, self.radius).filter(|t| span.contains(*t))?;
         let normal = direction(origin + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
-        let point = Point { anchor: self.center, offset: normal * self.radius };
-        Some(Hit { t, point, normal, uv: DVec2::ZERO })
+        let point = Point {
+            anchor: self.center,
+            offset: normal * self.radius,
+        };
+        Some(Hit {
+            t,
+            point,
+            normal,
+            uv: DVec2::ZERO,
+        })
     }
 
     fn common(&self) -> &Common {
@@ -106,7 +123,10 @@ impl Surface for Sphere {
 
     fn bounds(&self) -> Option<Bounds> {
         let reach = DVec3::splat(self.radius);
-        Some(Bounds { min: self.center - reach, max: self.center + reach })
+        Some(Bounds {
+            min: self.center - reach,
+            max: self.center + reach,
+        })
     }
 
     fn side(&self, point: &Point) -> Side {
@@ -114,7 +134,9 @@ impl Surface for Sphere {
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {
-        self.image.as_ref().map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal))
+        self.image
+            .as_ref()
+            .map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal))
     }
 }
 

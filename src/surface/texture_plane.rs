@@ -55,14 +55,22 @@ impl TexturePlane {
         naming: Naming::Optional,
         value: None,
         properties: &[],
-        attributes: &[Common::ATTRIBUTES, FinitePlane::ATTRIBUTES, Self::ATTRIBUTES],
+        attributes: &[
+            Common::ATTRIBUTES,
+            FinitePlane::ATTRIBUTES,
+            Self::ATTRIBUTES,
+        ],
     };
 
     /// A finite plane with an image; `texel_given` tells whether the scene gives the texel's size
     /// or leaves it to the screen.
     #[must_use]
     pub fn new(plane: FinitePlane, image: TextureMap, texel_given: bool) -> Self {
-        Self { plane, image, texel_given }
+        Self {
+            plane,
+            image,
+            texel_given,
+        }
     }
 
     /// Adds the texture of a rectangle to its node.

@@ -18,9 +18,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{Common, Hit, Plane, Surface};
-use crate::language::{
-    Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes,
-};
+use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
 use crate::material::Material;
 use crate::math::{Flat, Frame, Ray, Rgb, Segment, Span};
 
@@ -53,7 +51,11 @@ impl TileStart {
     /// The start with this word; `Point` for any other.
     #[must_use]
     pub fn from_word(word: &str) -> Self {
-        if word == Self::WORDS[1] { Self::Course } else { Self::Point }
+        if word == Self::WORDS[1] {
+            Self::Course
+        } else {
+            Self::Point
+        }
     }
 
     fn word(self) -> &'static str {
@@ -113,7 +115,14 @@ impl TiledPlane {
                 "give the size of one tile in world units",
             ));
         }
-        Ok(Self { plane, frame, given_xdir: xdir, tile, start, alternate })
+        Ok(Self {
+            plane,
+            frame,
+            given_xdir: xdir,
+            tile,
+            start,
+            alternate,
+        })
     }
 
     fn material_at(&self, hit: &Hit) -> &Material {
@@ -129,7 +138,11 @@ impl TiledPlane {
         let tile = place.floor();
         // Each remainder is exact, so their sum is too, however far away the tile is.
         let parity = (tile.x.rem_euclid(2.0) + tile.y.rem_euclid(2.0)).rem_euclid(2.0);
-        if parity == main_parity { &self.plane.common().material } else { &self.alternate }
+        if parity == main_parity {
+            &self.plane.common().material
+        } else {
+            &self.alternate
+        }
     }
 }
 

@@ -58,7 +58,11 @@ impl Triangle {
             )
             .expected("expected a point off the line through the other two")
         })?;
-        Ok(Self { common, vertices, flat })
+        Ok(Self {
+            common,
+            vertices,
+            flat,
+        })
     }
 
     /// Whether the line of a ray passes inside, borders included.
@@ -68,7 +72,11 @@ impl Triangle {
     fn contains_line(&self, ray: &Ray) -> bool {
         // Written out, because mapping these arrays costs twice as much as the arithmetic.
         let [a, b, c] = self.vertices;
-        let (a, b, c) = (-ray.origin.from(a), -ray.origin.from(b), -ray.origin.from(c));
+        let (a, b, c) = (
+            -ray.origin.from(a),
+            -ray.origin.from(b),
+            -ray.origin.from(c),
+        );
         let side = |from: DVec3, to: DVec3| ray.dir.dot(from.cross(to));
         let sides = [side(a, b), side(b, c), side(c, a)];
         sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
@@ -83,7 +91,12 @@ impl Surface for Triangle {
         }
         let t = Some(crossing.distance()).filter(|t| span.contains(*t))?;
         let point = self.flat.foot(ray, t);
-        Some(Hit { t, point, normal: self.flat.normal, uv: DVec2::ZERO })
+        Some(Hit {
+            t,
+            point,
+            normal: self.flat.normal,
+            uv: DVec2::ZERO,
+        })
     }
 
     fn common(&self) -> &Common {
@@ -92,7 +105,10 @@ impl Surface for Triangle {
 
     fn describe(&self) -> Node {
         let [a, b, c] = self.vertices;
-        Node::new(&Self::SCHEMA, None).with("vertex1", a).with("vertex2", b).with("vertex3", c)
+        Node::new(&Self::SCHEMA, None)
+            .with("vertex1", a)
+            .with("vertex2", b)
+            .with("vertex3", c)
     }
 
     fn flat(&self) -> Option<Flat> {
