@@ -28,6 +28,7 @@ use status::Status;
 #[command(
     name = "heliodon",
     version,
+    propagate_version = true,
     max_term_width = 100,
     arg_required_else_help = true
 )]
