@@ -198,6 +198,10 @@ fn ppm(texture: &Texture) -> Vec<u8> {
     let mut bytes = format!("P6\n{width} {height}\n255\n").into_bytes();
     // Tachyon counts rows from the bottom.
     let rows = texture.texels.channels.chunks(width).rev();
-    bytes.extend(rows.flatten().flatten().map(|channel| channel.to_le_bytes()[0]));
+    bytes.extend(
+        rows.flatten()
+            .flatten()
+            .map(|channel| channel.to_le_bytes()[0]),
+    );
     bytes
 }

@@ -1,6 +1,6 @@
 //! Course scenes with mistakes: each must be refused or warned of in exactly the words beside it.
 //!
-//! `UPDATE=1 cargo test` writes the words anew, and fails, so that they are looked at.
+//! `HELIODON_UPDATE=1` writes the words anew, and fails, so that they are looked at.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,7 @@ fn every_mistake_is_explained() {
             wrong.push(format!(
                 "{name}\n--- expected\n{expected}\n--- found\n{found}"
             ));
-            if std::env::var_os("UPDATE").is_some() {
+            if std::env::var_os("HELIODON_UPDATE").is_some() {
                 fs::write(&expected_file, found).expect("a file to write");
             }
         }

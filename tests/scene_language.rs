@@ -63,7 +63,7 @@ fn usage(schema: &Schema) -> String {
 
 fn rows(schema: &Schema) -> String {
     let mut rows = String::new();
-    for value in schema.value {
+    if let Some(value) = schema.value {
         rows += &row(&format!("*{}*", value.word), value);
     }
     for property in schema.properties {

@@ -153,7 +153,8 @@ pub enum Range {
 impl Range {
     /// The largest number that a scene may hold, but for directions, of which the length does not
     /// count: 2²⁰⁰, about 1.6e60. Sums and products of a few such numbers are still finite.
-    pub const LARGEST: f64 = 1_606_938_044_258_990_275_541_962_092_341_162_602_522_202_993_782_792_835_301_376.0;
+    pub const LARGEST: f64 =
+        1_606_938_044_258_990_275_541_962_092_341_162_602_522_202_993_782_792_835_301_376.0;
 
     /// Whether a number lies in the range.
     #[must_use]

@@ -12,6 +12,7 @@ pub struct Flat {
     pub point: DVec3,
     /// The unit normal, on the plane's front side.
     pub normal: DVec3,
+    equation: [f64; 4],
 }
 
 /// The side of a surface that a point is on.
@@ -42,6 +43,7 @@ impl Flat {
     /// # Errors
     /// Refuses a zero normal.
     pub fn new(point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+        let equation = equation(point, normal);
         let normal = unit(normal).ok_or_else(|| {
             Refusal::new(
                 "normal",
@@ -50,7 +52,18 @@ impl Flat {
             )
             .expected("expected a direction of any length but zero")
         })?;
-        Ok(Self { point, normal })
+        Ok(Self {
+            point,
+            normal,
+            equation,
+        })
+    }
+
+    /// The plane's equation: the same four numbers for both of its sides, and for any of its points
+    /// and normals as long as their products are exact, as those of whole numbers are.
+    #[must_use]
+    pub fn equation(&self) -> [f64; 4] {
+        self.equation
     }
 
     /// The side a point is on.
@@ -101,6 +114,23 @@ impl Flat {
             offset: offset - self.normal * self.normal.dot(offset),
         }
     }
+}
+
+/// The coefficients of `n·x = n·p`, divided by the largest one of `n`.
+///
+/// Quotients of equal numbers are equal, so multiples of `n` give the same equation; a unit normal
+/// would not, since its length is rounded.
+fn equation(point: DVec3, normal: DVec3) -> [f64; 4] {
+    let largest = normal.abs().max_element();
+    let (_, exponent) = libm::frexp(largest);
+    // Scaled by a power of two, which is exact and keeps the products in range.
+    let normal = normal * libm::ldexp(1.0, -exponent);
+    let largest = normal.abs().max_element();
+    let [x, y, z] = normal.to_array();
+    let mut components = [x, y, z].into_iter();
+    let pivot = components.find(|component| component.abs() == largest);
+    // Adding zero turns −0 into +0, which is the same plane.
+    [x, y, z, normal.dot(point)].map(|number| number / pivot.unwrap_or(1.0) + 0.0)
 }
 
 impl Side {

@@ -70,7 +70,9 @@ fn read(path: &Path) -> Result<Vec<u8>, Fault> {
     const MOST: u64 = 1 << 30;
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(Fault::Io)?;
-    file.take(MOST + 1).read_to_end(&mut bytes).map_err(Fault::Io)?;
+    file.take(MOST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(Fault::Io)?;
     if bytes.len() as u64 > MOST {
         let reason = format!("the file has more than {} MiB", MOST >> 20);
         return Err(Fault::Format(reason));

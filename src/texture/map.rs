@@ -71,7 +71,7 @@ mod tests {
             width,
             height,
             channels,
-            deep: false,
+            deep: true,
         };
         Arc::new(Texture::new(
             "numbered",
@@ -83,7 +83,7 @@ mod tests {
     }
 
     fn column_and_row(map: &TextureMap, x: f64, y: f64) -> (f64, f64) {
-        let color = map.at(DVec2::new(x, y)) * 255.0;
+        let color = map.at(DVec2::new(x, y)) * 65_535.0;
         (color.r.round(), color.g.round())
     }
 

@@ -94,9 +94,9 @@ impl Texture {
     /// If there is no such texel.
     #[must_use]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
-        let channels = self.texels.channels[row * self.texels.width + column];
-        let [r, g, b] = channels.map(|channel| self.intensities[usize::from(channel)]);
-        Rgb::new(r, g, b)
+        let [r, g, b] = self.texels.channels[row * self.texels.width + column];
+        let intensity = |channel| self.intensities[usize::from(channel)];
+        Rgb::new(intensity(r), intensity(g), intensity(b))
     }
 
     /// The texture as a node of the scene language.

@@ -32,7 +32,7 @@ fn quiet_says_nothing_and_verbose_tells_the_work() {
 #[test]
 fn json_is_one_object_a_scene() {
     let shell = Shell::with_scene();
-    shell.write("broken.kdl", "image 4 3\nspere 1");
+    shell.write("broken.kdl", &SCENE.replace("radius 1", "radius -1"));
     let run = shell
         .run(&["render", "scene.kdl", "broken.kdl", "--json"])
         .ends_with(3);
@@ -46,8 +46,8 @@ fn json_is_one_object_a_scene() {
     assert_eq!(lines[0]["rays"]["camera_rays"], 1200);
     assert_eq!(lines[0]["exit"], 0);
     assert_eq!(lines[1]["exit"], 3);
-    assert_eq!(lines[1]["problems"][0]["place"]["line"], 2);
-    assert_eq!(lines[1]["problems"][0]["place"]["column"], 1);
+    assert_eq!(lines[1]["problems"][0]["place"]["line"], 7);
+    assert_eq!(lines[1]["problems"][0]["place"]["column"], 56);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use glam::DVec3;
-use heliodon::accel::SurfaceList;
+use heliodon::accel::{SurfaceList, supports};
 use heliodon::math::{Point, Ray, Side, Span, unit};
 use heliodon::surface::Surface;
 use proptest::prelude::*;
@@ -105,6 +105,56 @@ proptest! {
         }
     }
 
+    /// S3: a wider span finds the same hit, a narrower one does not invent another.
+    #[test]
+    fn a_span_only_takes_away(origin in place(), dir in direction(), far in 0.0..20.0f64) {
+        let ray = ray(origin.into(), dir.into());
+        for surface in SURFACES.iter() {
+            let whole = surface.hits(&ray, Span::AHEAD);
+            let near = surface.hits(&ray, Span::AHEAD.until(far));
+            prop_assert_eq!(near, whole.filter(|hit| hit.t <= far));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// P4: surfaces in one plane lie on one sheet, however their points and normals are given, and
+    /// of them the first in the file is seen.
+    #[test]
+    fn one_plane_is_one_sheet(
+        normal in prop::array::uniform3(-9i32..=9),
+        corner in prop::array::uniform3(-99i32..=99),
+        aside in prop::array::uniform3(-9i32..=9),
+        factor in 1i32..9,
+        dir in direction(),
+    ) {
+        let [normal, corner, aside] = [normal, corner, aside].map(|v| DVec3::from(v.map(f64::from)));
+        prop_assume!(normal != DVec3::ZERO);
+        let plane = |point: DVec3, normal: DVec3| {
+            let [p, n] = [point, normal].map(|v| format!("{} {} {}", v.x, v.y, v.z));
+            format!("plane {{ material \"red\"; point {p}; normal {n} }}\n")
+        };
+        let (other, factor) = (corner + normal.cross(aside), f64::from(factor));
+        let text = [
+            plane(corner, normal),
+            plane(other, normal),
+            plane(other, normal * -factor),
+            plane(other + normal, normal),
+        ];
+        let surfaces = Stage::eye(&text.concat()).scene().surfaces;
+        let sheets = supports(&surfaces);
+        prop_assert_eq!(sheets[0], sheets[1]);
+        prop_assert_eq!(sheets[0], sheets[2]);
+        prop_assert_ne!(sheets[0], sheets[3]);
+        let ray = ray((corner + normal * 0.3).into(), dir.into());
+        if let Some((seen, ..)) = SurfaceList::new(&surfaces).nearest(&ray, Span::AHEAD) {
+            prop_assert!(!std::ptr::addr_eq(seen, &*surfaces[1]));
+            prop_assert!(!std::ptr::addr_eq(seen, &*surfaces[2]));
+        }
+    }
+
     /// S12: a ray aimed at a ball's centre hits it, and turned round misses.
     #[test]
     fn a_ray_at_the_centre_hits(origin in place(), center in place(), radius in 0.001..2.0f64) {
@@ -119,17 +169,6 @@ proptest! {
             prop_assert!(aimed.is_some_and(|hit| hit.normal.dot(origin - center) > 0.0));
             let turned = ball.hits(&ray(origin.into(), (origin - center).into()), Span::AHEAD);
             prop_assert_eq!(turned, None);
-        }
-    }
-
-    /// S3: a wider span finds the same hit, a narrower one does not invent another.
-    #[test]
-    fn a_span_only_takes_away(origin in place(), dir in direction(), far in 0.0..20.0f64) {
-        let ray = ray(origin.into(), dir.into());
-        for surface in SURFACES.iter() {
-            let whole = surface.hits(&ray, Span::AHEAD);
-            let near = surface.hits(&ray, Span::AHEAD.until(far));
-            prop_assert_eq!(near, whole.filter(|hit| hit.t <= far));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What cannot be drawn is refused, never guessed.
+//! What cannot be drawn is refused, never guessed. The exact words are kept elsewhere.
 
 use super::tools::{Stage, assert_color};
 
@@ -31,11 +31,8 @@ fn dimensions_that_are_not_above_zero() {
                 material "red"; point 0 0 0; normal 0 0 1; xdir 1 0 0; dimensions {dimensions}
             }}"#
         );
-        assert_eq!(
-            refused(&text),
-            "`dimensions` is out of range",
-            "{dimensions}"
-        );
+        let message = refused(&text);
+        assert!(message.contains("`dimensions`"), "{dimensions}: {message}");
     }
 }
 
@@ -48,7 +45,11 @@ fn an_unknown_mode() {
             material "white"; point 0 0 0; normal 0 0 1; xdir 1 0 0; dimensions 1 1
             texture "white" mode="mirror"
         }"#;
-    assert_eq!(refused(text), "`mode` cannot be \"mirror\"");
+    let message = refused(text);
+    assert!(
+        message.contains("`mode`") && message.contains("mirror"),
+        "{message}"
+    );
 }
 
 fn poster(file: &[u8]) -> Stage {
@@ -92,10 +93,7 @@ fn bad_image_files() {
             texture "gone"
         }"#;
     let message = refused(missing);
-    assert!(
-        message.starts_with("there is no file") && message.contains("gone.ppm"),
-        "{message}"
-    );
+    assert!(message.contains("gone.ppm"), "{message}");
     let files: [&[u8]; 5] = [
         b"P6 2 2 255\n\xff\xff",
         b"",
