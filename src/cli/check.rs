@@ -29,7 +29,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 }
 
 fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
-    let name = scene.display();
+    let name = input::title(scene);
     let reading = match input::read(scene, &options.format.options(), messages) {
         Ok(reading) => reading,
         Err(failure) => {
@@ -51,7 +51,7 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     messages.problems(&warnings, sources);
     let all: Vec<_> = reading.warnings.iter().chain(&warnings).cloned().collect();
     let json = serde_json::json!({
-        "scene": name.to_string(),
+        "scene": name,
         "exit": Status::Done.code(),
         "problems": problems_json(&all, sources),
     });

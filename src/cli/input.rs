@@ -55,7 +55,7 @@ pub(super) fn read(
             })
         }
         Err(error) => {
-            let error = format!("cannot read {}: {error}", scene.display());
+            let error = format!("cannot read {}: {error}", title(scene));
             messages.error(&format!("error: {error}"));
             Err(Failure {
                 status: Status::Io,
@@ -63,6 +63,15 @@ pub(super) fn read(
                 error: Some(error),
             })
         }
+    }
+}
+
+/// What messages call a scene.
+pub(super) fn title(scene: &Path) -> String {
+    if scene.as_os_str() == DASH {
+        "stdin".to_owned()
+    } else {
+        scene.display().to_string()
     }
 }
 
@@ -80,7 +89,7 @@ impl Failure {
         let rejection = self.rejection.as_ref();
         let problems = rejection.map(|no| problems_json(&no.problems, &no.sources));
         let line = serde_json::json!({
-            "scene": scene.display().to_string(),
+            "scene": title(scene),
             "exit": self.status.code(),
             "error": self.error,
             "problems": problems.unwrap_or_default(),

@@ -148,7 +148,7 @@ fn one(
             return failure.status;
         }
     };
-    let title = scene.display().to_string();
+    let title = input::title(scene);
     let bar = progress::bar(&title, u64::from(read.picture.height), messages);
     let rendered = pool.install(|| render(&read, &|rows| bar.set_position(rows as u64)));
     bar.finish_and_clear();
@@ -164,7 +164,7 @@ fn one(
         let target = output
             .path
             .as_ref()
-            .map_or("standard output".into(), |path| path.display().to_string());
+            .map_or("stdout".into(), |path| path.display().to_string());
         messages.error(&format!("error: cannot write {target}: {error}"));
         return Status::Io;
     }
@@ -217,7 +217,7 @@ impl Done<'_> {
             return report(messages, &format!("{line}\n"), self.status);
         }
         let (width, height) = (picture.width, picture.height);
-        let path = path.unwrap_or_else(|| "standard output".to_owned());
+        let path = path.unwrap_or_else(|| "stdout".to_owned());
         messages.note(&format!(
             "{} -> {path}, {width}x{height}, {seconds:.2} s",
             self.scene
