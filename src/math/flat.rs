@@ -76,10 +76,15 @@ impl Flat {
     /// can a surface in this plane stand between them.
     #[must_use]
     pub fn separates(&self, segment: &Segment) -> Option<Crossing> {
-        let crossing = self.crossing(&segment.ray);
+        let origin = segment.ray.origin.from(self.point);
+        let height = -self.normal.dot(origin);
         let end = self.normal.dot(segment.end - self.point);
-        let opposite = (crossing.height > 0.0 && end > 0.0) || (crossing.height < 0.0 && end < 0.0);
-        opposite.then_some(crossing)
+        let opposite = (height > 0.0 && end > 0.0) || (height < 0.0 && end < 0.0);
+        opposite.then(|| Crossing {
+            origin,
+            height,
+            slope: self.normal.dot(segment.ray.dir),
+        })
     }
 
     /// Where the line of a ray crosses the plane.

@@ -70,9 +70,11 @@ impl Rectangle {
         let scale = crossing.slope.abs();
         let sign = crossing.slope.signum();
         let x = self.frame.y.dot(moment) * sign;
+        if !(x >= 0.0 && x <= self.size.x * scale) {
+            return None;
+        }
         let y = -self.frame.x.dot(moment) * sign;
-        let inside = x >= 0.0 && y >= 0.0 && x <= self.size.x * scale && y <= self.size.y * scale;
-        inside.then(|| DVec2::new(x, y))
+        (y >= 0.0 && y <= self.size.y * scale).then(|| DVec2::new(x, y))
     }
 
     /// The point at an offset from the corner; it lies in the plane by construction.
