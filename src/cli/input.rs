@@ -1,13 +1,12 @@
 //! Scenes from files and from standard input.
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use super::Status;
 use super::messages::{Messages, problems_json};
-use crate::read::{Language, Options, Reading, Rejection, read_bytes, read_file};
+use crate::read::{Language, Options, Reading, Rejection, bytes_from, read_bytes, read_file};
 
 /// The word for standard input and standard output.
 pub(super) const DASH: &str = "-";
@@ -35,9 +34,8 @@ pub(super) fn read(
     messages: &Messages,
 ) -> Result<Reading, Failure> {
     let read = if scene.as_os_str() == DASH {
-        let mut bytes = Vec::new();
-        let piped = std::io::stdin().lock().read_to_end(&mut bytes);
-        piped.map(|_| read_bytes("stdin", bytes, PathBuf::new(), options))
+        let bytes = bytes_from(std::io::stdin().lock());
+        bytes.map(|bytes| read_bytes("stdin", bytes, PathBuf::new(), options))
     } else {
         read_file(scene, options)
     };

@@ -1,7 +1,7 @@
 //! Where pictures go, decided for all scenes before the first is rendered.
 
 use std::collections::HashMap;
-use std::io::IsTerminal;
+use std::io::{ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use super::Status;
@@ -149,14 +149,15 @@ fn place(path: &Path) -> Result<PathBuf, Refused> {
     let parent = path
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
-    let folder = parent
-        .unwrap_or(Path::new("."))
-        .canonicalize()
-        .map_err(|error| Refused {
-            status: Status::Io,
-            reason: format!("cannot write {}: {error}", path.display()),
-        })?;
-    Ok(folder.join(path.file_name().unwrap_or_default()))
+    let folder = parent.unwrap_or(Path::new("."));
+    let place = folder.canonicalize().map_err(|error| Refused {
+        status: Status::Io,
+        reason: match error.kind() {
+            ErrorKind::NotFound => format!("there is no folder {}", folder.display()),
+            _ => format!("cannot write {}: {error}", path.display()),
+        },
+    })?;
+    Ok(place.join(path.file_name().unwrap_or_default()))
 }
 
 #[cfg(test)]

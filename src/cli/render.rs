@@ -12,7 +12,7 @@ use super::{FormatWord, Status, input, progress};
 use crate::film::{Film, Format, Notes, save};
 use crate::read::{self, Reading};
 use crate::render::{Counts, render};
-use crate::scene::Scene;
+use crate::scene::{Picture, Scene};
 
 /// Renders scenes to pictures.
 ///
@@ -32,7 +32,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
     /// Rays through each pixel, instead of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Picture::MOST_SAMPLES)))]
     samples: Option<u32>,
     /// Threads to render with; all processors if not given.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -44,20 +44,14 @@ pub(super) struct Options {
 
 /// A width and a height from `800x600`.
 fn size(text: &str) -> Result<[u32; 2], String> {
-    const LONGEST: u32 = 32_768;
     let sides = text
         .split_once(['x', 'X', '×'])
         .and_then(|(width, height)| {
-            Some([
-                width.trim().parse::<u32>().ok()?,
-                height.trim().parse::<u32>().ok()?,
-            ])
+            Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
         });
-    match sides {
-        Some(sides) if sides.iter().all(|side| (1..=LONGEST).contains(side)) => Ok(sides),
-        Some(_) => Err(format!("width and height must be from 1 to {LONGEST}")),
-        None => Err("expected width and height, such as 800x600".to_owned()),
-    }
+    let sides = sides.ok_or("expected width and height, such as 800x600")?;
+    Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
+    Ok(sides)
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {

@@ -37,10 +37,4 @@ impl Bounds {
             )
         })
     }
-
-    /// The size of what two boxes share along each axis; negative where they are apart.
-    #[must_use]
-    pub fn overlap(&self, other: &Self) -> DVec3 {
-        self.max.min(other.max) - self.min.max(other.min)
-    }
 }

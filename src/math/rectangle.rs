@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Bounds, Crossing, Flat, Frame, Point, Ray, Segment, Span};
+use super::{Crossing, Flat, Frame, Point, Ray, Segment, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -86,11 +86,11 @@ impl Rectangle {
         }
     }
 
-    /// The box around it.
+    /// The corners, counter-clockwise from the lower left as seen from the front.
     #[must_use]
-    pub fn bounds(&self) -> Bounds {
-        let corners = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE];
-        Bounds::around(corners.map(|corner| self.point(corner * self.size).world()))
+    pub fn corners(&self) -> [DVec3; 4] {
+        let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+        corners.map(|corner| self.point(corner * self.size).world())
     }
 }
 

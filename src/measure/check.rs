@@ -14,6 +14,11 @@ use crate::surface::Surface;
 /// Smaller, and rounded decimals are remarked on; larger, and a real mistake is not.
 const XDIR_TOLERANCE: f64 = 0.1;
 
+/// How much of its own width a surface may share with a neighbour in its plane unremarked.
+///
+/// Smaller, and tiles at rounded decimals are remarked on; larger, and a real overlap is not.
+const SHARED_TOLERANCE: f64 = 1e-9;
+
 /// Warnings about geometry that is allowed but probably not meant, in file order of their cause.
 #[must_use]
 pub fn check(scene: &Scene) -> Vec<Problem> {
@@ -39,11 +44,13 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
     warnings
 }
 
-/// What a message calls a surface: its kind and name.
+/// What a message calls a surface or a light: its kind and name.
 fn title(node: &Node, name: Option<&str>) -> String {
+    let word = node.schema.word;
     match name {
-        Some(name) => format!("the {} {name:?}", node.schema.word),
-        None => format!("a {}", node.schema.word),
+        Some(name) => format!("the {word} {name:?}"),
+        None if word.starts_with(['a', 'e', 'i', 'o', 'u']) => format!("an {word}"),
+        None => format!("a {word}"),
     }
 }
 
@@ -172,12 +179,39 @@ fn coincident(scene: &Scene) -> Vec<Problem> {
     problems
 }
 
-/// Whether two surfaces in one plane share an area, judged by the boxes around them.
+/// Whether two surfaces in one plane share an area.
+///
+/// Two convex outlines are apart if one of their edges has one of them on either side (the
+/// separating axis theorem).
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.bounds(), b.bounds()) else {
-        return true;
+    let Some(normal) = a.flat().map(|flat| flat.normal) else {
+        return false;
     };
-    let shared = a.overlap(&b);
-    let extents = shared.to_array().into_iter();
-    shared.min_element() >= 0.0 && extents.filter(|extent| *extent > 0.0).count() >= 2
+    let (a, b) = (a.outline(), b.outline());
+    if a.is_empty() || b.is_empty() {
+        // One of them has no end.
+        return true;
+    }
+    let edges = |corners: &[DVec3]| {
+        let next = corners.iter().cycle().skip(1);
+        let edges = corners.iter().zip(next).map(|(from, to)| *to - *from);
+        edges.collect::<Vec<_>>()
+    };
+    let all_edges = edges(&a).into_iter().chain(edges(&b));
+    !all_edges
+        .into_iter()
+        .any(|edge| apart(&a, &b, normal.cross(edge)))
+}
+
+/// Whether the shadows of two outlines on an axis share no more than rounding.
+fn apart(a: &[DVec3], b: &[DVec3], axis: DVec3) -> bool {
+    let span = |corners: &[DVec3]| {
+        let places = corners.iter().map(|corner| axis.dot(*corner));
+        places.fold((f64::MAX, f64::MIN), |(low, high), place| {
+            (low.min(place), high.max(place))
+        })
+    };
+    let ((a_low, a_high), (b_low, b_high)) = (span(a), span(b));
+    let shared = a_high.min(b_high) - a_low.max(b_low);
+    shared <= SHARED_TOLERANCE * (a_high - a_low).min(b_high - b_low)
 }

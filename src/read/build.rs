@@ -58,7 +58,11 @@ pub(super) fn scene(
     if complete {
         refuse_missing(nodes, problems);
     }
-    let picture = sound(nodes, &Picture::SCHEMA, &files, problems).map(Picture::from_node);
+    let picture = sound(nodes, &Picture::SCHEMA, &files, problems).and_then(|node| {
+        Picture::from_node(node)
+            .map_err(|no| refused(node, no, problems))
+            .ok()
+    });
     let view = sound(nodes, &View::SCHEMA, &files, problems).and_then(|node| {
         View::from_node(node)
             .map_err(|no| refused(node, no, problems))

@@ -83,11 +83,19 @@ impl Files {
 /// The bytes of a scene file.
 ///
 /// # Errors
-/// The file system's, and one for a file that has no end or is far too large for a scene.
+/// The file system's, and one for a file that is far too large for a scene.
 pub(super) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    bytes_from(File::open(path)?)
+}
+
+/// The bytes of a scene from any reader.
+///
+/// # Errors
+/// The reader's, and one for a text that has no end or is far too large for a scene.
+pub fn bytes_from(reader: impl Read) -> io::Result<Vec<u8>> {
     const MOST: u64 = 1 << 28;
     let mut bytes = Vec::new();
-    File::open(path)?.take(MOST + 1).read_to_end(&mut bytes)?;
+    reader.take(MOST + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST {
         let reason = format!("it has more than {} MiB", MOST >> 20);
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, reason));

@@ -22,7 +22,7 @@ use crate::language::{Problem, Schema, Severity, Source, Sources};
 use crate::scene::Scene;
 use kdl::Nodes;
 
-pub use files::Files;
+pub use files::{Files, bytes_from};
 
 /// The most errors that are reported for one scene.
 pub const MOST_ERRORS: usize = 20;

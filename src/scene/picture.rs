@@ -1,7 +1,7 @@
 //! The picture's size and how its pixels are made.
 
 use crate::film::Rounding;
-use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, Value};
+use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
 
 /// What the scene says about its picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,12 +18,14 @@ pub struct Picture {
     pub cut_off: f64,
 }
 
-/// The longest side of a picture in pixels.
-const LONGEST_SIDE: u32 = 32_768;
-/// The most rays through one pixel.
-const MOST_SAMPLES: u32 = 65_536;
-
 impl Picture {
+    /// The longest side in pixels.
+    pub const LONGEST_SIDE: u32 = 32_768;
+    /// The most pixels; they take 24 bytes each while the picture is made.
+    pub const MOST_PIXELS: u64 = 1 << 27;
+    /// The most rays through one pixel.
+    pub const MOST_SAMPLES: u32 = 65_536;
+
     const ROUNDINGS: [&'static str; 2] = ["round", "truncate"];
 
     /// The `image` node of the scene language.
@@ -34,7 +36,7 @@ impl Picture {
         value: Some(
             &Attribute::new(
                 "size",
-                Takes::Pair(Range::Whole(1, LONGEST_SIDE)),
+                Takes::Pair(Range::Whole(1, Self::LONGEST_SIDE)),
                 "width and height",
             )
             .unit("pixels"),
@@ -42,7 +44,7 @@ impl Picture {
         properties: &[
             Attribute::new(
                 "samples",
-                Takes::Number(Range::Whole(1, MOST_SAMPLES)),
+                Takes::Number(Range::Whole(1, Self::MOST_SAMPLES)),
                 "rays through each pixel; one goes through its centre, more are stratified",
             )
             .or(Default::Number(1.0)),
@@ -62,9 +64,30 @@ impl Picture {
         attributes: &[],
     };
 
+    /// Whether a picture may have this width and height.
+    ///
+    /// # Errors
+    /// Refuses a side of no pixels, a side too long, and too many pixels.
+    pub fn check_size([width, height]: [u32; 2]) -> Result<(), Refusal> {
+        let sides = 1..=Self::LONGEST_SIDE;
+        let reason = if !(sides.contains(&width) && sides.contains(&height)) {
+            format!("width and height must be from 1 to {}", Self::LONGEST_SIDE)
+        } else if u64::from(width) * u64::from(height) > Self::MOST_PIXELS {
+            format!(
+                "a picture has at most {} million pixels",
+                Self::MOST_PIXELS / 1_000_000
+            )
+        } else {
+            return Ok(());
+        };
+        Err(Refusal::new("image", reason, "choose a smaller picture"))
+    }
+
     /// What an `image` node says.
-    #[must_use]
-    pub fn from_node(node: &Node) -> Self {
+    ///
+    /// # Errors
+    /// Refuses a picture that is too large.
+    pub fn from_node(node: &Node) -> Result<Self, Refusal> {
         #[expect(
             clippy::cast_possible_truncation,
             reason = "the schema allows whole numbers only"
@@ -76,9 +99,11 @@ impl Picture {
         let truncate = node
             .property("quantize")
             .is_some_and(|word| word.text() == "truncate");
-        Self {
-            width: whole(size.x),
-            height: whole(size.y),
+        let (width, height) = (whole(size.x), whole(size.y));
+        Self::check_size([width, height])?;
+        Ok(Self {
+            width,
+            height,
             samples: whole(number("samples")),
             rounding: if truncate {
                 Rounding::Truncate
@@ -86,7 +111,7 @@ impl Picture {
                 Rounding::Nearest
             },
             cut_off: number("cut-off"),
-        }
+        })
     }
 
     /// The settings as a node of the scene language.

@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Common, Hit, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::{Bounds, Flat, Ray, Rectangle, Segment, Span};
+use crate::math::{Flat, Ray, Rectangle, Segment, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
 #[derive(Debug, Clone)]
@@ -118,8 +118,8 @@ impl Surface for FinitePlane {
         Some(self.rectangle.flat)
     }
 
-    fn bounds(&self) -> Option<Bounds> {
-        Some(self.rectangle.bounds())
+    fn outline(&self) -> Vec<DVec3> {
+        self.rectangle.corners().to_vec()
     }
 
     fn occludes(&self, segment: &Segment) -> bool {

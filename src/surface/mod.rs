@@ -5,6 +5,8 @@ mod globe;
 
 use std::fmt;
 
+use glam::{DVec2, DVec3};
+
 use crate::language::{Node, Schema};
 use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
 
@@ -57,9 +59,15 @@ pub trait Surface: Send + Sync + fmt::Debug {
         None
     }
 
+    /// The corners of a flat surface that has an end, in order around it; empty for others.
+    fn outline(&self) -> Vec<DVec3> {
+        Vec::new()
+    }
+
     /// The box around the surface, if it is bounded.
     fn bounds(&self) -> Option<Bounds> {
-        None
+        let outline = self.outline();
+        (!outline.is_empty()).then(|| Bounds::around(outline))
     }
 
     /// The side that a point is on; behind a closed surface is inside.
@@ -69,8 +77,9 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// Whether the surface stands between the ends of a segment.
     fn occludes(&self, segment: &Segment) -> bool {
-        self.hits(&segment.ray, segment.span.until(segment.length))
-            .is_some()
+        // A light on the surface itself is not hidden by it.
+        let hit = self.hits(&segment.ray, segment.span);
+        hit.is_some_and(|hit| hit.t < segment.length)
     }
 
     /// The colour of the surface's texture at a hit; white without one.
@@ -106,8 +115,8 @@ pub struct Hit {
     /// The place, anchored at the surface's own point.
     pub point: Point,
     /// The unit normal as the surface has it, on whichever side the ray came.
-    pub normal: glam::DVec3,
+    pub normal: DVec3,
     /// The surface's own coordinates: on a rectangle the chapter's `lasthit`, the offset from its
     /// corner along x and y in world units; zero on surfaces without such coordinates.
-    pub uv: glam::DVec2,
+    pub uv: DVec2,
 }

@@ -13,9 +13,11 @@
 //! # "#, [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], Some(2.0));
 //! ```
 
+use glam::DVec3;
+
 use super::{Common, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
-use crate::math::{Bounds, Flat, Ray, Rgb, Segment, Span};
+use crate::math::{Flat, Ray, Rgb, Segment, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
@@ -115,8 +117,8 @@ impl Surface for TexturePlane {
         self.plane.flat()
     }
 
-    fn bounds(&self) -> Option<Bounds> {
-        self.plane.bounds()
+    fn outline(&self) -> Vec<DVec3> {
+        self.plane.outline()
     }
 
     fn occludes(&self, segment: &Segment) -> bool {

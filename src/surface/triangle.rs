@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Common, Hit, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
-use crate::math::{Bounds, Flat, Ray, Segment, Span};
+use crate::math::{Flat, Ray, Segment, Span};
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
 #[derive(Debug, Clone)]
@@ -115,8 +115,8 @@ impl Surface for Triangle {
         Some(self.flat)
     }
 
-    fn bounds(&self) -> Option<Bounds> {
-        Some(Bounds::around(self.vertices))
+    fn outline(&self) -> Vec<DVec3> {
+        self.vertices.to_vec()
     }
 
     fn occludes(&self, segment: &Segment) -> bool {

@@ -106,7 +106,7 @@ fn code_4_when_a_file_is_missing_or_cannot_be_written() {
     shell
         .run(&["render", "scene.kdl", "-o", "no/a.png"])
         .ends_with(4)
-        .says("cannot write no/a.png");
+        .says("there is no folder no");
     shell
         .run(&["convert", "scene.kdl", "-o", "no/a.kdl"])
         .ends_with(4)
