@@ -5,6 +5,8 @@ mod check;
 mod convert;
 mod dump;
 mod input;
+#[cfg(unix)]
+mod interrupt;
 mod messages;
 mod output;
 mod progress;
@@ -132,6 +134,8 @@ pub fn main() -> ExitCode {
         }
     };
     let messages = Messages::new(&arguments.global);
+    #[cfg(unix)]
+    interrupt::clean_up();
     bug::guard(|| run(&arguments.command, &messages)).into()
 }
 

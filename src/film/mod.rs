@@ -9,7 +9,7 @@ mod save;
 
 pub use format::Format;
 pub use quantize::Rounding;
-pub use save::save;
+pub use save::{discard_unfinished, save};
 
 use std::io::{self, Write};
 

@@ -136,6 +136,10 @@ impl Surface for Ellipsoid {
         globe::describe(node, self.image.as_ref())
     }
 
+    fn round(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, self.axes])
+    }
+
     fn bounds(&self) -> Option<Bounds> {
         Some(Bounds {
             min: self.center - self.axes,

@@ -59,6 +59,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
         None
     }
 
+    /// The centre and the half axes of a round surface.
+    fn round(&self) -> Option<[DVec3; 2]> {
+        None
+    }
+
     /// The corners of a flat surface that has an end, in order around it; empty for others.
     fn outline(&self) -> Vec<DVec3> {
         Vec::new()

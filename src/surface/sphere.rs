@@ -121,6 +121,10 @@ impl Surface for Sphere {
         globe::describe(node, self.image.as_ref())
     }
 
+    fn round(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, DVec3::splat(self.radius)])
+    }
+
     fn bounds(&self) -> Option<Bounds> {
         let reach = DVec3::splat(self.radius);
         Some(Bounds {

@@ -109,8 +109,7 @@ fn complete_tiles(node: Node) -> Node {
         return node;
     }
     // The first course's tiles had no direction: they lay along the axes.
-    const NEARLY: f64 = 1e-9;
     let normal = node.triple("normal");
-    let along_x = normal.y.abs().max(normal.z.abs()) <= NEARLY * normal.x.abs();
+    let along_x = normal.y == 0.0 && normal.z == 0.0;
     node.with("xdir", if along_x { DVec3::NEG_Z } else { DVec3::X })
 }
