@@ -149,3 +149,33 @@ fn something_that_lies_on_an_unbounded_plane() {
         "the finite-plane \"rug\" lies in the same plane as the plane \"floor\"",
     );
 }
+
+#[test]
+fn planes_that_are_one_but_for_rounding() {
+    let first = finite("a", "0 1 0", "1 2 3", "3 0 -1");
+    let second = finite("b", "0 1 0", "0.1 0.2 0.3", "3 0 -1");
+    warns(
+        &(first + &second),
+        "the finite-plane \"b\" lies in the same plane as the finite-plane \"a\"",
+    );
+}
+
+#[test]
+fn round_things_in_the_same_place() {
+    let ball =
+        |name: &str| format!(r#"sphere "{name}" {{ material "m"; center 0 1 0; radius 1 }};"#);
+    warns(
+        &(ball("a") + &ball("b")),
+        "the sphere \"b\" coincides with the sphere \"a\"",
+    );
+}
+
+#[test]
+fn a_plane_that_the_screen_hides() {
+    let screen = "camera { viewpoint 4 3 8; screen 8 6 }";
+    let near = r#"plane "glass" { material "m"; point 0 0 1; normal 0 0 1 }"#;
+    let expected = ["the plane \"glass\" is never in front of the camera"];
+    assert_eq!(warnings_from(screen, near), expected);
+    let far = r#"plane "wall" { material "m"; point 0 0 -1; normal 0 0 1 }"#;
+    assert_eq!(warnings_from(screen, far), Vec::<String>::new());
+}

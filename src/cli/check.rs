@@ -18,32 +18,33 @@ pub(super) struct Options {
     scenes: Vec<PathBuf>,
     #[command(flatten)]
     format: input::SceneFormat,
+    /// Print the answers as JSON on standard output, one line for each scene.
+    #[arg(long)]
+    json: bool,
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let statuses = options
-        .scenes
-        .iter()
-        .map(|scene| one(scene, options, messages));
-    statuses.fold(Status::Done, Status::worst)
+    let scenes = options.scenes.iter();
+    let statuses: Vec<_> = scenes.map(|scene| one(scene, options, messages)).collect();
+    messages.tally(&statuses);
+    statuses.into_iter().fold(Status::Done, Status::worst)
 }
 
 fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     let name = input::title(scene);
     let reading = match input::read(scene, &options.format.options(), messages) {
         Ok(reading) => reading,
-        Err(failure) => {
-            let status = match failure.status {
+        Err(mut failure) => {
+            let verdict = if failure.status == Status::BadInput {
                 // That a scene has errors is the answer here, not a failure to give one.
-                Status::BadInput => Status::No,
-                other => other,
+                failure.status = Status::No;
+                "errors"
+            } else {
+                "cannot be read"
             };
-            return print(
-                messages,
-                failure.json(scene),
-                format!("{name}: errors\n"),
-                status,
-            );
+            let text = format!("{name}: {verdict}\n");
+            let json = failure.json(scene);
+            return messages.result(if options.json { &json } else { &text }, failure.status);
         }
     };
     let warnings = measure::check(&reading.scene);
@@ -60,20 +61,10 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
         1 => "ok, 1 warning".to_owned(),
         many => format!("ok, {many} warnings"),
     };
-    print(
-        messages,
-        format!("{json}\n"),
-        format!("{name}: {verdict}\n"),
-        Status::Done,
-    )
-}
-
-fn print(messages: &Messages, json: String, text: String, status: Status) -> Status {
-    match messages.result(if messages.json { &json } else { &text }) {
-        Ok(()) => status,
-        Err(error) => {
-            messages.error(&format!("error: cannot write to standard output: {error}"));
-            status.worst(Status::Io)
-        }
-    }
+    let text = if options.json {
+        format!("{json}\n")
+    } else {
+        format!("{name}: {verdict}\n")
+    };
+    messages.result(&text, Status::Done)
 }

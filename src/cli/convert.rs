@@ -26,42 +26,32 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let (scene, output) = (options.scene.display(), options.output.display());
-    if is_same_file(&options.scene, &options.output) {
-        messages.error(&format!(
-            "error: {output} would replace the scene it is made from"
-        ));
-        return Status::Usage;
-    }
     let reading = match input::read(&options.scene, &options.format.options(), messages) {
         Ok(reading) => reading,
         Err(failure) => return failure.status,
     };
-    let to_stdout = options.output.as_os_str() == input::DASH;
-    let folder = match options.output.parent() {
-        Some(folder) if !to_stdout => folder,
-        _ => Path::new(""),
+    let write = |folder: &Path| {
+        reading
+            .scene
+            .to_kdl(false, |texture| name_from(folder, texture))
     };
-    let text = reading
-        .scene
-        .to_kdl(false, |texture| name_from(folder, texture));
-    let written = if to_stdout {
-        messages.result(&text)
-    } else {
-        save(&options.output, |out| out.write_all(text.as_bytes()))
-    };
-    if let Err(error) = written {
+    if options.output.as_os_str() == input::DASH {
+        return messages.result(&write(Path::new("")), Status::Done);
+    }
+    let output = options.output.display();
+    if let Some(part) = input::part_at(&options.output, &options.scene, &reading.scene) {
+        messages.error(&format!(
+            "error: {output} would replace {part}, which the scene is made of"
+        ));
+        return Status::Usage;
+    }
+    let text = write(options.output.parent().unwrap_or(Path::new("")));
+    if let Err(error) = save(&options.output, |out| out.write_all(text.as_bytes())) {
         messages.error(&format!("error: cannot write {output}: {error}"));
         return Status::Io;
     }
-    if !to_stdout {
-        messages.note(&format!("{scene} -> {output}"));
-    }
+    messages.note(&format!("{} -> {output}", input::title(&options.scene)));
     Status::Done
-}
-
-fn is_same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// A texture's file as a scene in this folder names it, with `/` between folders on every system.

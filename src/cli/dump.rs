@@ -27,11 +27,5 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let text = reading
         .scene
         .to_kdl(true, |texture| name_from(Path::new(""), texture));
-    match messages.result(&text) {
-        Ok(()) => Status::Done,
-        Err(error) => {
-            messages.error(&format!("error: cannot write to standard output: {error}"));
-            Status::Io
-        }
-    }
+    messages.result(&text, Status::Done)
 }

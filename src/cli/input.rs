@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use super::Status;
 use super::messages::{Messages, problems_json};
 use crate::read::{Language, Options, Reading, Rejection, bytes_from, read_bytes, read_file};
+use crate::scene::Scene;
 
 /// The word for standard input and standard output.
 pub(super) const DASH: &str = "-";
@@ -54,14 +55,25 @@ pub(super) fn read(
         }
         Err(error) => {
             let error = format!("cannot read {}: {error}", title(scene));
-            messages.error(&format!("error: {error}"));
-            Err(Failure {
-                status: Status::Io,
-                rejection: None,
-                error: Some(error),
-            })
+            Err(Failure::new(Status::Io, error, messages))
         }
     }
+}
+
+/// The file of a scene, a text or a texture, that lies at a path.
+pub(super) fn part_at(path: &Path, file: &Path, scene: &Scene) -> Option<String> {
+    let place = path.canonicalize().ok()?;
+    let texts = scene
+        .sources
+        .iter()
+        .skip(1)
+        .map(|source| PathBuf::from(&source.name));
+    let textures = scene.textures.iter().map(|texture| texture.path.clone());
+    let mut parts = std::iter::once(file.to_owned())
+        .chain(texts)
+        .chain(textures);
+    let part = parts.find(|part| part.canonicalize().is_ok_and(|part| part == place))?;
+    Some(part.display().to_string())
 }
 
 /// What messages call a scene.
@@ -82,6 +94,16 @@ pub(super) struct Failure {
 }
 
 impl Failure {
+    /// A failure that is no mistake in a scene's text; says so.
+    pub(super) fn new(status: Status, error: String, messages: &Messages) -> Self {
+        messages.error(&format!("error: {error}"));
+        Self {
+            status,
+            rejection: None,
+            error: Some(error),
+        }
+    }
+
     /// The failure as one line of JSON.
     pub(super) fn json(&self, scene: &Path) -> String {
         let rejection = self.rejection.as_ref();

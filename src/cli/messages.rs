@@ -4,7 +4,7 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use serde_json::{Value, json};
 
-use super::{Color, Global};
+use super::{Color, Global, Status};
 use crate::language::{Problem, Severity, Sources, render_problems};
 
 /// How much to say, and how.
@@ -12,7 +12,6 @@ use crate::language::{Problem, Severity, Sources, render_problems};
 pub(super) struct Messages {
     pub(super) quiet: bool,
     pub(super) verbose: bool,
-    pub(super) json: bool,
     color: bool,
     width: usize,
 }
@@ -36,7 +35,6 @@ impl Messages {
         Self {
             quiet: global.quiet,
             verbose: global.verbose,
-            json: global.json,
             color,
             width,
         }
@@ -66,14 +64,28 @@ impl Messages {
         let _ = io::stderr().lock().write_all(text.as_bytes());
     }
 
-    /// Prints a result.
+    /// Says how many parts of a batch went well, if there are several.
+    pub(super) fn tally(&self, statuses: &[Status]) {
+        if statuses.len() > 1 {
+            let ok = statuses
+                .iter()
+                .filter(|status| **status == Status::Done)
+                .count();
+            self.note(&format!("{ok} ok, {} failed", statuses.len() - ok));
+        }
+    }
+
+    /// Prints a result, and gives the status to end with.
     ///
     /// A reader that has seen enough and closed the pipe is no error.
-    pub(super) fn result(&self, text: &str) -> io::Result<()> {
+    pub(super) fn result(&self, text: &str, status: Status) -> Status {
         let mut out = io::stdout().lock();
         match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            written => written,
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+                self.error(&format!("error: cannot write to standard output: {error}"));
+                status.worst(Status::Io)
+            }
+            _ => status,
         }
     }
 }

@@ -59,9 +59,6 @@ struct Global {
         value_name = "WHEN"
     )]
     color: Color,
-    /// Print results as JSON on standard output, one line each.
-    #[arg(long, global = true)]
-    json: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -17,6 +17,14 @@ pub(super) struct Output {
     pub(super) format: Format,
 }
 
+impl Output {
+    /// What messages call the place.
+    pub(super) fn title(&self) -> String {
+        let path = self.path.as_ref();
+        path.map_or("stdout".to_owned(), |path| path.display().to_string())
+    }
+}
+
 /// Why there is no place for a picture.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Refused {
@@ -107,11 +115,20 @@ fn output(scene: &Path, pattern: Option<&str>, format: Option<Format>) -> Result
             }
         }
     };
-    let format = format.or(Format::of(&path)).ok_or_else(|| {
-        usage(format!(
-            "the ending of {} names no picture format; end it with .png, .ppm or .pfm, \
-             or give --format",
+    let meant = Format::of(&path);
+    let contradicts = |format: Format| meant.is_some_and(|m| m.extension() != format.extension());
+    if let Some(format) = format.filter(|format| contradicts(*format)) {
+        return Err(usage(format!(
+            "--format asks for a .{} file, but the output is {}",
+            format.extension(),
             path.display()
+        )));
+    }
+    let format = format.or(meant).ok_or_else(|| {
+        usage(format!(
+            "the ending of {:?} names no picture format; end it with .png, .ppm or .pfm, \
+             or give --format",
+            path.display().to_string()
         ))
     })?;
     Ok(Output {

@@ -1,15 +1,17 @@
 //! `heliodon render`.
 
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
 
-use super::messages::Messages;
+use super::input::Failure;
+use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress};
 use crate::film::{Film, Format, Notes, save};
+use crate::language::Problem;
 use crate::read::{self, Reading};
 use crate::render::{Counts, render};
 use crate::scene::{Picture, Scene};
@@ -40,6 +42,9 @@ pub(super) struct Options {
     /// Format of the pictures or of the scenes; may be given for both.
     #[arg(long, value_name = "FORMAT", value_enum)]
     format: Vec<FormatWord>,
+    /// Print what was done as JSON on standard output, one line for each scene.
+    #[arg(long)]
+    json: bool,
 }
 
 /// A width and a height from `800x600`.
@@ -69,7 +74,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         messages.error("error: --format names one format for pictures and one for scenes at most");
         return Status::Usage;
     }
-    if options.output.as_deref() == Some(input::DASH) && messages.json {
+    if options.output.as_deref() == Some(input::DASH) && options.json {
         messages.error("error: --json and a picture cannot both go to standard output");
         return Status::Usage;
     }
@@ -106,115 +111,114 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         size: options.size,
         samples: options.samples,
     };
-    let statuses: Vec<_> = options
-        .scenes
-        .iter()
-        .zip(&outputs)
-        .map(|(scene, output)| one(scene, output, &reader, &pool, messages))
-        .collect();
-    if statuses.len() > 1 {
-        let ok = statuses
-            .iter()
-            .filter(|status| **status == Status::Done)
-            .count();
-        messages.note(&format!("{ok} ok, {} failed", statuses.len() - ok));
-    }
+    let one = |(scene, output): (&PathBuf, &Output)| {
+        let made = picture(scene, output, &reader, &pool, messages);
+        match (made, options.json) {
+            (Ok(done), true) => messages.result(&done.json(), done.status),
+            (Ok(done), false) => done.say(messages),
+            (Err(failure), true) => messages.result(&failure.json(scene), failure.status),
+            (Err(failure), false) => failure.status,
+        }
+    };
+    let statuses: Vec<_> = options.scenes.iter().zip(&outputs).map(one).collect();
+    messages.tally(&statuses);
     statuses.into_iter().fold(Status::Done, Status::worst)
 }
 
 /// Stack of a render thread in bytes: room for the longest path of mirrored rays.
 const STACK: usize = 16 << 20;
 
-fn one(
+/// Renders one scene and writes its picture.
+fn picture<'a>(
     scene: &Path,
-    output: &Output,
+    output: &'a Output,
     options: &read::Options,
     pool: &rayon::ThreadPool,
     messages: &Messages,
-) -> Status {
+) -> Result<Done<'a>, Failure> {
     let start = Instant::now();
-    let Reading { scene: read, .. } = match input::read(scene, options, messages) {
-        Ok(reading) => reading,
-        Err(failure) => {
-            if messages.json {
-                return report(messages, &failure.json(scene), failure.status);
-            }
-            return failure.status;
-        }
-    };
+    let Reading {
+        scene: read,
+        warnings,
+        ..
+    } = input::read(scene, options, messages)?;
     let title = input::title(scene);
+    let part = output
+        .path
+        .as_ref()
+        .and_then(|path| input::part_at(path, scene, &read));
+    if let Some(part) = part {
+        let error = format!("the picture of {title} would replace {part}, which it is made of");
+        return Err(Failure::new(Status::Usage, error, messages));
+    }
     let bar = progress::bar(&title, u64::from(read.picture.height), messages);
     let rendered = pool.install(|| render(&read, &|rows| bar.set_position(rows as u64)));
     bar.finish_and_clear();
-    let (film, counts) = match rendered {
-        Ok(rendered) => rendered,
-        Err(refusal) => {
-            messages.error(&format!("error: {title}: {}", refusal.reason));
-            return Status::BadInput;
-        }
-    };
+    let (film, counts) = rendered.map_err(|refusal| {
+        Failure::new(
+            Status::BadInput,
+            format!("{title}: {}", refusal.reason),
+            messages,
+        )
+    })?;
     let hash = read.hash();
-    if let Err(error) = write(&film, &read, &hash, output) {
-        let target = output
-            .path
-            .as_ref()
-            .map_or("stdout".into(), |path| path.display().to_string());
-        messages.error(&format!("error: cannot write {target}: {error}"));
-        return Status::Io;
-    }
+    write(&film, &read, &hash, output).map_err(|error| {
+        let error = format!("cannot write {}: {error}", output.title());
+        Failure::new(Status::Io, error, messages)
+    })?;
     let status = non_finite(&film, &title, messages);
-    let done = Done {
-        scene: &title,
-        read: &read,
+    Ok(Done {
+        title,
+        read,
+        warnings,
         counts,
-        hash: &hash,
+        hash,
         output,
         start,
         status,
-    };
-    done.say(messages)
+    })
 }
 
-/// What there is to say about a finished picture.
+/// A finished picture, and what there is to say about it.
 #[derive(Debug)]
 struct Done<'a> {
-    scene: &'a str,
-    read: &'a Scene,
+    title: String,
+    read: Scene,
+    warnings: Vec<Problem>,
     counts: Counts,
-    hash: &'a str,
+    hash: String,
     output: &'a Output,
     start: Instant,
     status: Status,
 }
 
 impl Done<'_> {
+    fn json(&self) -> String {
+        let picture = &self.read.picture;
+        let line = serde_json::json!({
+            "scene": self.title,
+            "exit": self.status.code(),
+            "output": self.output.title(),
+            "width": picture.width,
+            "height": picture.height,
+            "samples": picture.samples,
+            "rays": self.counts,
+            "hash": self.hash,
+            "seconds": self.start.elapsed().as_secs_f64(),
+            "problems": problems_json(&self.warnings, &self.read.sources),
+        });
+        format!("{line}\n")
+    }
+
     fn say(&self, messages: &Messages) -> Status {
         let picture = &self.read.picture;
-        let seconds = self.start.elapsed().as_secs_f64();
-        let path = self
-            .output
-            .path
-            .as_ref()
-            .map(|path| path.display().to_string());
-        if messages.json {
-            let line = serde_json::json!({
-                "scene": self.scene,
-                "exit": self.status.code(),
-                "output": path,
-                "width": picture.width,
-                "height": picture.height,
-                "samples": picture.samples,
-                "rays": self.counts,
-                "hash": self.hash,
-                "seconds": seconds,
-            });
-            return report(messages, &format!("{line}\n"), self.status);
-        }
-        let (width, height) = (picture.width, picture.height);
-        let path = path.unwrap_or_else(|| "stdout".to_owned());
         messages.note(&format!(
-            "{} -> {path}, {width}x{height}, {seconds:.2} s",
-            self.scene
+            "{} -> {}, {}x{}, {:.2} s",
+            self.title,
+            self.output.title(),
+            picture.width,
+            picture.height,
+            self.start.elapsed().as_secs_f64(),
         ));
         if messages.verbose {
             let counts = &self.counts;
@@ -234,16 +238,6 @@ impl Done<'_> {
     }
 }
 
-fn report(messages: &Messages, line: &str, status: Status) -> Status {
-    match messages.result(line) {
-        Ok(()) => status,
-        Err(error) => {
-            messages.error(&format!("error: cannot write to standard output: {error}"));
-            status.worst(Status::Io)
-        }
-    }
-}
-
 fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
     let notes = Notes(vec![
@@ -260,8 +254,12 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
         Some(path) => save(path, |out| film.write(out, format, rounding, &notes)),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            film.write(&mut out, format, rounding, &notes)?;
-            out.flush()
+            let written = film.write(&mut out, format, rounding, &notes);
+            match written.and_then(|()| out.flush()) {
+                // A reader that has seen enough is no error.
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+                written => written,
+            }
         }
     }
 }

@@ -30,14 +30,18 @@ pub struct Film {
 pub struct Notes(pub Vec<(&'static str, String)>);
 
 impl Film {
-    /// A black picture.
+    /// A black picture; `None` if there is no memory for it.
     #[must_use]
-    pub fn new(width: usize, height: usize) -> Self {
-        Self {
+    pub fn new(width: usize, height: usize) -> Option<Self> {
+        let count = width.checked_mul(height)?;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).ok()?;
+        pixels.resize(count, Rgb::BLACK);
+        Some(Self {
             width,
             height,
-            pixels: vec![Rgb::BLACK; width * height],
-        }
+            pixels,
+        })
     }
 
     /// The width in pixels.

@@ -25,7 +25,9 @@ pub(super) fn write(
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Fast);
     for (keyword, text) in &notes.0 {
-        encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
+        encoder
+            .add_itxt_chunk((*keyword).to_owned(), text.clone())
+            .map_err(io_error)?;
     }
     let bytes = match depth {
         Depth::Eight => {
@@ -42,8 +44,15 @@ pub(super) fn write(
                 .collect()
         }
     };
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&bytes)?;
-    writer.finish()?;
-    Ok(())
+    let mut writer = encoder.write_header().map_err(io_error)?;
+    writer.write_image_data(&bytes).map_err(io_error)?;
+    writer.finish().map_err(io_error)
+}
+
+/// The system's own error if there is one, so that its kind is kept.
+fn io_error(error: png::EncodingError) -> io::Error {
+    match error {
+        png::EncodingError::IoError(error) => error,
+        other => io::Error::other(other),
+    }
 }

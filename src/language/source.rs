@@ -41,6 +41,11 @@ impl Sources {
         &self.0[index]
     }
 
+    /// All texts, the scene file first.
+    pub fn iter(&self) -> impl Iterator<Item = &Source> {
+        self.0.iter()
+    }
+
     /// How many texts there are.
     #[must_use]
     pub fn len(&self) -> usize {

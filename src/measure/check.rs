@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::accel::supports;
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem};
-use crate::math::{Crossing, Flat, Point, Side, unit};
+use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
 
@@ -14,31 +14,32 @@ use crate::surface::Surface;
 /// Smaller, and rounded decimals are remarked on; larger, and a real mistake is not.
 const XDIR_TOLERANCE: f64 = 0.1;
 
-/// How much of its own width a surface may share with a neighbour in its plane unremarked.
+/// How much of its own size is taken for rounding when surfaces share a plane or an area.
 ///
 /// Smaller, and tiles at rounded decimals are remarked on; larger, and a real overlap is not.
 const SHARED_TOLERANCE: f64 = 1e-9;
 
-/// Warnings about geometry that is allowed but probably not meant, in file order of their cause.
+/// Warnings about geometry that is allowed but probably not meant.
 #[must_use]
 pub fn check(scene: &Scene) -> Vec<Problem> {
-    let mut warnings: Vec<_> = scene
-        .surfaces
+    let surfaces = || scene.surfaces.iter().map(AsRef::as_ref);
+    let nodes = surfaces().map(|surface| {
+        let common = surface.common();
+        (common.describe(surface.describe()), common.location)
+    });
+    let lights = scene
+        .lights
         .iter()
-        .filter_map(|one| tilted_xdir(&**one))
+        .map(|light| (light.describe(), light.place));
+    let mut warnings: Vec<_> = nodes
+        .chain(lights)
+        .filter_map(|(node, at)| tilted_xdir(&node, at))
         .collect();
     warnings.extend(useless_lights(scene));
     if let Ok(camera) = scene.view.camera(scene.picture.width, scene.picture.height) {
-        let camera_warnings = scene
-            .surfaces
-            .iter()
-            .filter_map(|one| around_camera(&**one, &camera));
-        warnings.extend(camera_warnings);
-        let behind = scene
-            .surfaces
-            .iter()
-            .filter(|one| !in_front(&***one, &camera, &scene.view));
-        warnings.extend(behind.filter_map(|one| never_in_front(&**one)));
+        warnings.extend(surfaces().filter_map(|surface| around_camera(surface, &camera)));
+        let hidden = surfaces().filter(|surface| !in_front(*surface, &camera, &scene.view));
+        warnings.extend(hidden.filter_map(|surface| never_in_front(surface, &scene.view)));
     }
     warnings.extend(coincident(scene));
     warnings
@@ -66,24 +67,20 @@ fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
 }
 
 /// An `xdir` that does not lie in the plane; it is projected, and the user should know.
-fn tilted_xdir(surface: &dyn Surface) -> Option<Problem> {
-    let node = surface.describe();
-    if !node
-        .schema
-        .all_attributes()
-        .any(|attribute| attribute.word == "xdir")
-    {
+fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Problem> {
+    let known = |word| node.entry(word).is_some();
+    if !(known("xdir") && known("normal")) {
         return None;
     }
-    let (normal, xdir) = (surface.flat()?.normal, unit(node.triple("xdir"))?);
-    let angle = libm::asin(normal.dot(xdir).clamp(-1.0, 1.0))
-        .to_degrees()
-        .abs();
+    let (normal, xdir) = (unit(node.triple("normal"))?, unit(node.triple("xdir"))?);
+    let sine = normal.dot(xdir).clamp(-1.0, 1.0);
+    let angle = libm::asin(sine).to_degrees().abs();
     if angle <= XDIR_TOLERANCE {
         return None;
     }
-    let what = format!("has an xdir that points {angle:.1}° out of its plane");
-    let problem = warning(surface, &what, "projected into the plane")?;
+    let title = title(node, node.name.as_deref());
+    let message = format!("{title} has an xdir that points {angle:.1}° out of its plane");
+    let problem = Problem::warning(at?, message, "projected into the plane");
     Some(problem.help("give an xdir at right angles to the normal, if this is not meant"))
 }
 
@@ -126,57 +123,82 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
     };
     match (surface.bounds(), surface.flat()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
-        (None, Some(flat)) => camera
-            .corners()
-            .iter()
-            .any(|corner| meets(&flat, eye, *corner)),
+        (None, Some(flat)) => can_be_met(&flat, camera, view),
         (None, None) => true,
     }
 }
 
-/// Whether a plane lies ahead in a direction.
-fn meets(flat: &Flat, eye: DVec3, direction: DVec3) -> bool {
-    let origin = eye - flat.point;
-    let (height, slope) = (-flat.normal.dot(origin), flat.normal.dot(direction));
-    Crossing {
-        origin,
-        height,
-        slope,
+/// Whether some ray through the window meets a plane, behind the screen if there is one.
+fn can_be_met(flat: &Flat, camera: &Camera, view: &View) -> bool {
+    // The eye's height above the plane, and how fast the rays through the corners fall towards it.
+    let height = flat.normal.dot(camera.viewpoint() - flat.point);
+    let falls = camera
+        .corners()
+        .map(|corner| -flat.normal.dot(corner) * height.signum());
+    let steepest = falls.into_iter().fold(f64::MIN, f64::max);
+    let flattest = falls.into_iter().fold(f64::MAX, f64::min);
+    // Rays reach the screen when they have come as far as the window's corners.
+    let behind_screen = match view {
+        View::Screen { .. } => flattest <= height.abs(),
+        View::LookAt { .. } => true,
+    };
+    height != 0.0 && steepest > 0.0 && behind_screen
+}
+
+fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Problem> {
+    let what = "is never in front of the camera";
+    match view {
+        View::Screen { .. } => {
+            let problem = warning(surface, what, "wholly on the viewer's side of the screen")?;
+            Some(problem.help("what is before the screen, at z > 0, is not drawn at all"))
+        }
+        View::LookAt { .. } => {
+            let problem = warning(surface, what, "not seen directly")?;
+            Some(problem.help("it can still be seen in mirrors and cast shadows"))
+        }
     }
-    .is_ahead()
 }
 
-fn never_in_front(surface: &dyn Surface) -> Option<Problem> {
-    let problem = warning(
-        surface,
-        "is never in front of the camera",
-        "not seen directly",
-    )?;
-    Some(problem.help("it can still be seen in mirrors and cast shadows"))
-}
-
-/// Surfaces in one plane that share an area; the first in the file is seen.
+/// Surfaces on one sheet, or nearly, that share an area.
 fn coincident(scene: &Scene) -> Vec<Problem> {
     let supports = supports(&scene.surfaces);
     let mut problems = Vec::new();
     for (index, later) in scene.surfaces.iter().enumerate() {
-        let earlier = (0..index).find(|earlier| {
-            supports[*earlier] == supports[index] && overlap(&*scene.surfaces[*earlier], &**later)
-        });
-        let Some(earlier) = earlier.map(|index| &scene.surfaces[index]) else {
+        let same = |earlier: &usize| supports[*earlier] == supports[index];
+        let meets = |earlier: &usize| {
+            let other = &*scene.surfaces[*earlier];
+            (same(earlier) || nearly_one_plane(other, &**later)) && overlap(other, &**later)
+        };
+        let Some(earlier) = (0..index).find(meets) else {
             continue;
         };
-        let name = earlier.common().name.as_deref();
-        let other = title(&earlier.describe(), name);
-        let problem = warning(
-            &**later,
-            &format!("lies in the same plane as {other}"),
-            "where they overlap, the first in the file is seen",
-        );
+        let other = &scene.surfaces[earlier];
+        let name = other.common().name.as_deref();
+        let other_title = title(&other.describe(), name);
+        let what = match later.flat() {
+            Some(_) => format!("lies in the same plane as {other_title}"),
+            None => format!("coincides with {other_title}"),
+        };
+        let label = if same(&earlier) {
+            "where they overlap, the first in the file is seen"
+        } else {
+            "where they overlap, rounding decides which is seen"
+        };
+        let problem = warning(&**later, &what, label);
         let help = "move one of them a little if both are to be seen";
         problems.extend(problem.map(|problem| problem.help(help)));
     }
     problems
+}
+
+/// Whether two planes are the same but for rounding.
+fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
+    let (Some(a), Some(b)) = (a.flat(), b.flat()) else {
+        return false;
+    };
+    let way = b.point - a.point;
+    a.normal.cross(b.normal).length() <= SHARED_TOLERANCE
+        && a.normal.dot(way).abs() <= SHARED_TOLERANCE * way.length()
 }
 
 /// Whether two surfaces in one plane share an area.
@@ -185,7 +207,8 @@ fn coincident(scene: &Scene) -> Vec<Problem> {
 /// separating axis theorem).
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
     let Some(normal) = a.flat().map(|flat| flat.normal) else {
-        return false;
+        // Round surfaces on one sheet are the same.
+        return true;
     };
     let (a, b) = (a.outline(), b.outline());
     if a.is_empty() || b.is_empty() {

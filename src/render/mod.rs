@@ -23,11 +23,14 @@ use crate::scene::Scene;
 /// The film does not depend on the number of threads.
 ///
 /// # Errors
-/// Refuses a camera that cannot exist.
+/// Refuses a camera that cannot exist and a picture that memory cannot hold.
 pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
     let tracer = Tracer::new(scene)?;
     let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
-    let mut film = Film::new(width, height);
+    let mut film = Film::new(width, height).ok_or_else(|| {
+        let reason = format!("there is no memory for {width} by {height} pixels");
+        Refusal::new("image", reason, "choose a smaller picture")
+    })?;
     let done = AtomicUsize::new(0);
     let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
     let counts = rows

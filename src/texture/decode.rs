@@ -1,6 +1,6 @@
 //! Image files to texels.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
@@ -68,6 +68,11 @@ pub fn decode(path: &Path) -> Result<Texels, DecodeError> {
 /// The bytes of a file.
 fn read(path: &Path) -> Result<Vec<u8>, Fault> {
     const MOST: u64 = 1 << 30;
+    // A pipe would be waited for, perhaps for ever.
+    let kind = fs::metadata(path).map_err(Fault::Io)?;
+    if !kind.is_file() && !kind.is_dir() {
+        return Err(Fault::Format("it is not a regular file".to_owned()));
+    }
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(Fault::Io)?;
     file.take(MOST + 1)

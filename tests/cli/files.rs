@@ -161,3 +161,102 @@ fn pictures_can_be_read_by_others() {
     };
     assert_eq!(mode("scene.png"), mode("plain"));
 }
+
+#[test]
+fn nothing_replaces_what_a_scene_is_made_of() {
+    let shell = Shell::with_scene();
+    let texture = concat!(env!("CARGO_MANIFEST_DIR"), "/textures/arrow-8x8.png");
+    std::fs::copy(texture, shell.path("arrow.png")).expect("a texture");
+    shell.write("part.kdl", "texture \"arrow\" \"arrow.png\"\n");
+    let wall = r#"texture-plane {
+        material "chalk"; point -1 0 -1; normal 0 0 1; xdir 1 0 0; dimensions 2 2
+        texture "arrow"
+    }"#;
+    shell.write(
+        "scene.kdl",
+        &format!("{SCENE}\ninclude \"part.kdl\"\n{wall}\n"),
+    );
+    let run = shell
+        .run(&["render", "scene.kdl", "-o", "arrow.png"])
+        .ends_with(2);
+    run.says("would replace arrow.png");
+    let run = shell
+        .run(&["convert", "scene.kdl", "-o", "part.kdl"])
+        .ends_with(2);
+    run.says("part.kdl would replace part.kdl");
+    assert_eq!(size_of(&shell.path("arrow.png")), (8, 8));
+    assert!(shell.read("part.kdl").starts_with(b"texture"));
+}
+
+#[test]
+fn a_name_and_a_format_that_contradict_each_other_are_refused() {
+    let shell = Shell::with_scene();
+    let run = shell.run(&["render", "scene.kdl", "-o", "a.ppm", "--format", "png16"]);
+    run.ends_with(2)
+        .says("--format asks for a .png file, but the output is a.ppm");
+    shell
+        .run(&["render", "scene.kdl", "-o", "a.png", "--format", "png16"])
+        .ends_with(0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_replaced_hands_on_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let shell = Shell::with_scene();
+    shell.write("scene.png", "");
+    let private = std::fs::Permissions::from_mode(0o600);
+    std::fs::set_permissions(shell.path("scene.png"), private).expect("permissions");
+    shell.run(&["render", "scene.kdl"]).ends_with(0);
+    let mode = std::fs::metadata(shell.path("scene.png"))
+        .expect("a file")
+        .permissions()
+        .mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_gets_its_target() {
+    let shell = Shell::with_scene();
+    std::os::unix::fs::symlink("target.png", shell.path("link.png")).expect("a link");
+    shell
+        .run(&["render", "scene.kdl", "-o", "link.png"])
+        .ends_with(0);
+    assert!(shell.path("link.png").is_symlink());
+    assert_eq!(size_of(&shell.path("target.png")), (40, 30));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_while_a_picture_is_written_leaves_no_file() {
+    use std::process::{Command, Stdio};
+    let shell = Shell::with_scene();
+    let mut child = shell
+        .command(&[
+            "render",
+            "scene.kdl",
+            "--size",
+            "6000x6000",
+            "-o",
+            "big.pfm",
+        ])
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    // Wait for the temporary file, then strike. If the picture is finished first, so be it.
+    while shell.files() == ["scene.kdl"] {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let killed = Command::new("kill")
+        .args(["-TERM", &child.id().to_string()])
+        .status();
+    killed.expect("kill runs");
+    child.wait().expect("the program ends");
+    let left: Vec<_> = shell
+        .files()
+        .into_iter()
+        .filter(|name| name.starts_with('.'))
+        .collect();
+    assert!(left.is_empty(), "left behind: {left:?}");
+}

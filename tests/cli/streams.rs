@@ -107,3 +107,47 @@ fn a_reader_that_has_seen_enough_is_no_error() {
         .expect("bash runs");
     assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "0");
 }
+
+#[test]
+fn json_tells_what_cannot_be_written() {
+    let shell = Shell::with_scene();
+    let run = shell
+        .run(&["render", "no.kdl", "scene.kdl", "--json"])
+        .ends_with(4);
+    let first: Value = serde_json::from_str(run.stdout_text().lines().next().expect("a line"))
+        .expect("a line of JSON");
+    assert_eq!(first["exit"], 4);
+    assert!(
+        first["error"]
+            .as_str()
+            .is_some_and(|error| error.contains("cannot read no.kdl"))
+    );
+}
+
+#[test]
+fn check_counts_what_went_well() {
+    let shell = Shell::with_scene();
+    shell.write("broken.kdl", "image 4 3");
+    let run = shell
+        .run(&["check", "scene.kdl", "broken.kdl", "no.kdl"])
+        .ends_with(4);
+    let expected = "scene.kdl: ok\nbroken.kdl: errors\nno.kdl: cannot be read\n";
+    assert_eq!(run.stdout_text(), expected);
+    run.says("1 ok, 2 failed");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_picture_to_a_closed_pipe_is_no_error() {
+    let shell = Shell::with_scene();
+    let program = env!("CARGO_BIN_EXE_heliodon");
+    let script = format!(
+        "{program} render scene.kdl --size 2000x1000 -o - | head -c 10 > x; echo ${{PIPESTATUS[0]}}"
+    );
+    let output = std::process::Command::new("bash")
+        .args(["-c", &script])
+        .current_dir(shell.path(""))
+        .output()
+        .expect("bash runs");
+    assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "0");
+}

@@ -14,7 +14,7 @@ fn file(film: &Film, format: Format, rounding: Rounding) -> Vec<u8> {
 }
 
 fn film(width: usize, pixels: &[Rgb]) -> Film {
-    let mut film = Film::new(width, pixels.len() / width);
+    let mut film = Film::new(width, pixels.len() / width).expect("memory");
     film.pixels_mut().copy_from_slice(pixels);
     film
 }

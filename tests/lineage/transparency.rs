@@ -66,6 +66,30 @@ fn of_coincident_panes_the_first_tints() {
     }
 }
 
+/// P4, S11: round things that coincide are one sheet; a ray that leaves one does not meet the other.
+#[test]
+fn of_coincident_balls_the_first_is_seen() {
+    let scene = |second: &str| {
+        let text = format!(
+            r#"
+            material "glass" {{ ambient 3; diffuse 1 0 0; transparency 0.5 }}
+            material "wall" {{ ambient 8 }}
+            light {{ location 3 5 4; emissivity 3 }}
+            sphere {{ material "glass"; center 4.1 3.2 -2.3; radius 1.7 }}
+            {second}
+            plane {{ material "wall"; point 0 0 -9; normal 0 0 1 }}"#
+        );
+        Stage::grid(&text).film()
+    };
+    let alone = scene("");
+    let twin = "material \"glass\"; center 4.1 3.2 -2.3; radius 1.7";
+    assert_eq!(scene(&format!("sphere {{ {twin} }}")), alone);
+    assert_eq!(
+        scene(&format!("ellipsoid {{ {twin}; scale 1 1 1 }}")),
+        alone
+    );
+}
+
 /// S11: a ball filters once, not where it is entered and again where it is left.
 #[test]
 fn a_ball_filters_once() {
