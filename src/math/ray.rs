@@ -131,12 +131,6 @@ impl Span {
             ..self
         }
     }
-
-    /// Whether nothing counts.
-    #[must_use]
-    pub fn is_empty(self) -> bool {
-        self.min > self.max || self.max <= 0.0
-    }
 }
 
 #[cfg(test)]
