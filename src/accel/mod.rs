@@ -57,8 +57,10 @@ impl<'a> SurfaceList<'a> {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
         for &(surface, support) in &self.entries {
-            let done = segment.ray.leaves == Some(support) || crossed.contains(&support);
-            if done || !surface.occludes(segment) {
+            if segment.ray.leaves == Some(support) || !surface.occludes(segment) {
+                continue;
+            }
+            if crossed.contains(&support) {
                 continue;
             }
             let common = surface.common();

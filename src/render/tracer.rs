@@ -122,7 +122,7 @@ impl<'a> Tracer<'a> {
         }
         let diffuse = surface.getdiff(hit);
         for light in &self.scene.lights {
-            let Some(segment) = Segment::new(Some(support), hit.point, light.location) else {
+            let Some(mut segment) = Segment::new(Some(support), hit.point, light.location) else {
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);
@@ -130,7 +130,8 @@ impl<'a> Tracer<'a> {
                 // The surface hides itself.
                 continue;
             }
-            let Some(arriving) = self.arriving(surface, light, segment, probe) else {
+            segment.span = self.camera.span(&segment.ray);
+            let Some(arriving) = self.arriving(surface, light, &segment, probe) else {
                 continue;
             };
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
@@ -154,16 +155,15 @@ impl<'a> Tracer<'a> {
         &self,
         surface: &dyn Surface,
         light: &Light,
-        mut segment: Segment,
+        segment: &Segment,
         probe: &mut impl Probe,
     ) -> Option<Rgb> {
-        let leaving = light.towards(&segment)?;
+        let leaving = light.towards(segment)?;
         if !surface.common().shadows.receive {
             return Some(leaving);
         }
         probe.shadow_ray();
-        segment.span = self.camera.span(&segment.ray);
-        let passed = self.surfaces.transmittance(&segment);
+        let passed = self.surfaces.transmittance(segment);
         (!passed.is_black()).then(|| leaving * passed)
     }
 }
