@@ -96,7 +96,13 @@ pub(super) fn refuse_duplicates<'a>(
             continue;
         };
         let message = format!("the name {} is given twice", say::quoted(name));
-        let label = format!("the first is at {}", position(*earlier));
-        problems.push(Problem::error(at, message, label).help("give one of them another name"));
+        let (here, there) = (position(at), position(*earlier));
+        problems.push(if here == there {
+            Problem::error(at, message, "this file is included twice")
+                .help("remove one of the includes")
+        } else {
+            Problem::error(at, message, format!("the first is at {there}"))
+                .help("give one of them another name")
+        });
     }
 }
