@@ -194,10 +194,7 @@ fn bytes_that_are_no_text_are_refused() {
         "scene.kdl is not a text: line 2 is not UTF-8"
     );
     let png = fs::read("textures/arrow-8x8.png").expect("a texture");
-    assert_eq!(
-        only_message(png),
-        "scene.kdl is not a text: line 1 is not UTF-8"
-    );
+    assert_eq!(only_message(png), "scene.kdl is a picture, not a scene");
 }
 
 #[test]

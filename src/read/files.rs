@@ -140,6 +140,9 @@ pub(super) fn nearby(path: &Path, otherwise: &str) -> String {
         .flatten()
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .collect();
+    // A scene is never meant where a texture is, nor the other way round.
+    let is_scene = |name: &Path| name.extension().is_some_and(|ending| ending == "kdl");
+    names.retain(|name| is_scene(Path::new(name)) == is_scene(path));
     names.sort_unstable();
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     match did_you_mean(&name, names.iter().map(String::as_str)) {

@@ -3,6 +3,7 @@
 use std::io::ErrorKind;
 use std::path::Path;
 
+use super::Language;
 use super::files::{self, Files, nearby};
 use crate::language::{Attribute, Location, Naming, Node, Problem, Schema, Source, Takes, Value};
 
@@ -69,6 +70,11 @@ fn source(path: &Path, at: Location, files: &Files) -> Result<Source, Problem> {
         let message = format!("{name} is not a text: line {line} is not UTF-8");
         error(message, "expected a scene file").help("save it as UTF-8, if it is a scene file")
     })?;
+    if Language::of(&text) == Language::Course {
+        let message = format!("{name} is written in the course's block grammar");
+        let problem = error(message, "expected a KDL file");
+        return Err(problem.help("rewrite it with `heliodon convert` and include that"));
+    }
     Ok(Source {
         name: name.to_string(),
         text: text.into(),

@@ -100,6 +100,7 @@ pub fn read_bytes(
 ) -> Result<Reading, Rejection> {
     let mut problems = Vec::new();
     let mut files = Files::default();
+    let is_picture = image::guess_format(&bytes).is_ok();
     let text = files::text_of(bytes);
     let language = options
         .language
@@ -127,8 +128,13 @@ pub fn read_bytes(
             files.add(source, directories);
             return Err(Rejection {
                 problems: vec![Problem {
-                    message: format!("{name} is not a text: line {line} is not UTF-8"),
-                    help: Some("save it as UTF-8, if it is a scene file".to_owned()),
+                    message: if is_picture {
+                        format!("{name} is a picture, not a scene")
+                    } else {
+                        format!("{name} is not a text: line {line} is not UTF-8")
+                    },
+                    help: (!is_picture)
+                        .then(|| "save it as UTF-8, if it is a scene file".to_owned()),
                     ..no_place()
                 }],
                 sources: files.into_sources(),
