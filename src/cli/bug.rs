@@ -7,8 +7,8 @@ use std::path::PathBuf;
 
 use super::Status;
 
-/// Runs a command; a panic ends it with its own exit code and a report in a file.
-pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
+/// From now on a panic is explained, and reported in a file.
+pub(super) fn report_panics() {
     panic::set_hook(Box::new(|panic| {
         let report = format!(
             "heliodon {}\narguments: {:?}\n{panic}\n{}\n",
@@ -30,6 +30,10 @@ pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
             );
         }
     }));
+}
+
+/// Runs a command; a panic ends it with its own exit code.
+pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
     panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Status::Bug)
 }
 

@@ -131,6 +131,7 @@ pub fn main() -> ExitCode {
         }
     };
     let messages = Messages::new(&arguments.global);
+    bug::report_panics();
     #[cfg(unix)]
     interrupt::clean_up();
     bug::guard(|| run(&arguments.command, &messages)).into()
