@@ -21,6 +21,26 @@ fn commands_in_documents_do_what_is_shown() {
     assert!(commands >= 10, "only {commands} commands were found");
 }
 
+#[test]
+fn the_picture_below_the_readmes_scene_is_that_scene() {
+    let readme = fs::read_to_string("README.md").expect("the README");
+    let (_, after) = readme.split_once("```kdl\n").expect("a scene");
+    let (scene, _) = after.split_once("```").expect("the end of the scene");
+    let options = heliodon::read::Options::default();
+    let reading = heliodon::read::read_bytes("README", scene.into(), PathBuf::new(), &options);
+    let scene = reading
+        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .scene;
+    let (film, _) = heliodon::render::render(&scene, &|_| ()).expect("a possible picture");
+    let shown = image::open("docs/ball.png")
+        .expect("the picture")
+        .into_rgb8();
+    assert!(
+        film.bytes(scene.picture.rounding) == shown.into_raw(),
+        "docs/ball.png is another"
+    );
+}
+
 /// A command and the lines that are shown below it.
 struct Shown {
     command: String,
