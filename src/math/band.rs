@@ -25,8 +25,10 @@ pub(crate) const HEIGHT: f64 = 6.0 * UNIT;
 /// `|c|₁ maxₖ(|vᵢdⱼ| + |vⱼdᵢ|) ≤ |c|₁ (1 + 4u)²`.
 pub(crate) const MOMENT: f64 = 9.0 * UNIT;
 
-/// `w D − v·(d × c)`, in units of `w`, beside [`MOMENT`] for the other term and its difference.
-pub(crate) const EXTENT: f64 = 6.0 * UNIT;
+/// `w D − v·(d × c)`, in units of `w`, beside [`MOMENT`] for the other term and its difference: 5 for
+/// the product, and 4 because a border that is a line of whole numbers lies that far from the one
+/// along a rounded unit vector.
+pub(crate) const EXTENT: f64 = 9.0 * UNIT;
 
 /// `t = N/D`: beside the errors of both, the rounding of the quotient, in units of `t`.
 pub(crate) const QUOTIENT: f64 = 2.0 * UNIT;

@@ -3,8 +3,8 @@
 use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
 
-use super::ExactFrame;
 use super::exact::{RationalVector, decimal};
+use super::{ExactFrame, Line};
 
 /// A plane and the borders of what lies in it, from the decimals of the scene.
 ///
@@ -61,20 +61,43 @@ impl Blueprint {
         Self { borders, ..plane }
     }
 
-    /// A triangle whose corners run counter-clockwise seen from the front: borders from the first
-    /// corner to the second, from the second to the third, and from the third to the first.
+    /// A convex polygon whose corners run counter-clockwise seen from the front: borders from each
+    /// corner to the next.
     #[must_use]
-    pub fn triangle(corners: [DVec3; 3]) -> Self {
-        let [a, b, c] = corners.map(RationalVector::of_decimals);
-        let border = |from: &RationalVector, to: &RationalVector| Border {
+    pub fn polygon(corners: &[DVec3]) -> Self {
+        let corners: Vec<_> = corners.iter().copied().map(RationalVector::of_decimals).collect();
+        let next = |index: usize| &corners[(index + 1) % corners.len()];
+        let border = |(index, from): (usize, &RationalVector)| Border {
             point: from.clone(),
-            along: from - to,
+            along: from - next(index),
             across: RBig::ZERO,
         };
         Self {
-            normal: (&b - &a).cross(&(&c - &a)),
-            borders: vec![border(&a, &b), border(&b, &c), border(&c, &a)],
-            point: a,
+            normal: (next(0) - &corners[0]).cross(&(next(1) - &corners[0])),
+            borders: corners.iter().enumerate().map(border).collect(),
+            point: corners[0].clone(),
         }
+    }
+}
+
+impl Border {
+    /// The border as a line whose numbers are those of the scene file, without rounding; `None` if
+    /// they are no doubles.
+    #[must_use]
+    pub fn exact_line(&self, normal: &RationalVector) -> Option<Line> {
+        let dir = self.along.whole()?;
+        let outer = normal.cross(&self.along);
+        let point = if self.across.is_zero() {
+            self.point.clone()
+        } else {
+            let (length, exact) = outer.length();
+            if !exact {
+                return None;
+            }
+            &self.point + &outer.times(&(&self.across / length))
+        };
+        let rounded = point.rounded();
+        let same = RationalVector::of_decimals(rounded) == point;
+        same.then(|| Line::new(rounded, dir, 0.0))
     }
 }

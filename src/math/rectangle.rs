@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::band::{EXTENT, MOMENT, UNDERFLOW};
 use super::exact::ExactVector;
 use super::line::inside_all;
-use super::{Crossing, Decisions, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
+use super::{Blueprint, Crossing, Decisions, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -40,12 +40,16 @@ impl Rectangle {
                 "to turn a surface around, change its point, xdir or normal",
             ));
         }
-        let borders = [
+        let mut borders = [
             Line::new(corner, frame.y, 0.0),
             Line::new(corner, -frame.y, size.x),
             Line::new(corner, -frame.x, 0.0),
             Line::new(corner, frame.x, size.y),
         ];
+        let blueprint = Blueprint::rectangle(corner, normal, xdir, size);
+        for (border, exact) in borders.iter_mut().zip(&blueprint.borders) {
+            *border = exact.exact_line(&blueprint.normal).unwrap_or(*border);
+        }
         Ok(Self {
             flat,
             frame,

@@ -18,7 +18,7 @@ use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::band::{MOMENT, UNDERFLOW};
 use crate::math::exact::Distance;
 use crate::math::{
-    Blueprint, Crossing, Decisions, Flat, Line, Ray, Segment, Side, Span, inside_all,
+    Blueprint, Crossing, Decisions, Flat, Line, Point, Ray, Segment, Side, Span, inside_all,
 };
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
@@ -58,7 +58,9 @@ impl Triangle {
     /// # Errors
     /// Refuses corners that lie on one line.
     pub fn new(common: Common, vertices: [DVec3; 3]) -> Result<Self, Refusal> {
-        let normal = Blueprint::triangle(vertices).normal.unit();
+        let [a, b, c] = vertices;
+        let edge = |to: DVec3| Point::exact(to).exactly_from(a);
+        let normal = edge(b).cross(&edge(c)).unit();
         if normal == DVec3::ZERO {
             return Err(Refusal::new(
                 "vertex3",
@@ -67,7 +69,6 @@ impl Triangle {
             )
             .expected("expected a point off the line through the other two"));
         }
-        let [a, b, c] = vertices;
         Ok(Self {
             common,
             vertices,
@@ -145,7 +146,7 @@ impl Surface for Triangle {
     }
 
     fn blueprint(&self) -> Option<Blueprint> {
-        Some(Blueprint::triangle(self.vertices))
+        Some(Blueprint::polygon(&self.vertices))
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

@@ -9,11 +9,12 @@ use crate::math::exact::{RationalVector, decimal};
 use crate::math::{Blueprint, Line};
 
 /// How far apart planes or lines may be and still be one, in units of the last place of the
-/// largest coordinate, where no decimals can say that they are one.
+/// largest coordinate, where they are sums or products of the numbers in the file.
 ///
-/// The corners of a wall along (1, 1, 0) are irrational, so whoever writes them down rounds them.
-/// Smaller, and decimals written to the last digit leave gaps; larger, and surfaces that are meant
-/// to be apart become one.
+/// The corners of a wall along (1, 1, 0) are irrational, so whoever writes them down rounds them;
+/// and a scene that a program has scaled has every number rounded. Smaller, and decimals written to
+/// the last digit leave gaps; larger, and surfaces that are meant to be apart become one. What is a
+/// single number, such as the height of a floor, is the same only if the number is.
 const ULPS: u8 = 8;
 
 /// A plane or a line that surfaces share.
@@ -43,8 +44,8 @@ struct Member {
     position: RBig,
     /// The largest coordinate that went into it.
     magnitude: f64,
-    /// Whether the position is what the decimals say, without rounding.
-    exact: bool,
+    /// Whether the position is a single number of the file.
+    single: bool,
     surface: usize,
     border: usize,
     /// Whether normal or border point along the direction that the group shares.
@@ -102,11 +103,11 @@ fn planes(blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
     for (surface, blueprint) in blueprints.iter().enumerate() {
         let Some(blueprint) = blueprint else { continue };
         let (direction, turned) = blueprint.normal.canonical();
-        let (length, exact) = direction.length();
+        let (length, _) = direction.length();
         let member = Member {
             position: direction.dot(&blueprint.point) / length,
             magnitude: blueprint.point.largest(),
-            exact,
+            single: direction.is_along_an_axis(),
             surface,
             border: 0,
             forward: !turned,
@@ -131,15 +132,14 @@ fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>>
             // Seen along the shared normal, the outer side is to the left of a border, and to the
             // right if its surface faces the other way or the shared direction is turned.
             let forward = turned != one.forward;
-            let (outer, _) = normal.cross(&direction).canonical();
-            let flipped = normal.cross(&direction).canonical().1;
-            let (length, exact) = outer.length();
+            let (outer, flipped) = normal.cross(&direction).canonical();
+            let (length, _) = outer.length();
             let outward = if forward == flipped { -1 } else { 1 };
             let across = &line.across * RBig::from(outward);
             let member = Member {
                 position: outer.dot(&line.point) / length + &across,
                 magnitude: line.point.largest() + across.to_f64().value().abs(),
-                exact: exact || across.is_zero() && blueprint.normal.canonical().0.length().1,
+                single: outer.is_along_an_axis() && across.is_zero(),
                 surface: one.surface,
                 border,
                 forward,
@@ -194,7 +194,7 @@ impl Member {
         if apart.is_zero() {
             return true;
         }
-        if self.exact && other.exact {
+        if self.single && other.single {
             return false;
         }
         let largest = self.magnitude.max(other.magnitude);

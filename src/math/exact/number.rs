@@ -3,8 +3,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_int::IBig;
 use dashu_int::ops::BitTest;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 /// A whole number times a power of two: every finite double, and all their sums and products.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,6 +61,17 @@ impl Exact {
         #[expect(clippy::cast_precision_loss, reason = "this is the one rounding")]
         #[expect(clippy::cast_possible_truncation, reason = "clamped")]
         libm::scalbn(leading as f64, exponent as i32)
+    }
+
+    /// The number as a fraction.
+    #[must_use]
+    pub fn to_rational(&self) -> RBig {
+        let power = usize::try_from(self.exponent.unsigned_abs()).unwrap_or(usize::MAX);
+        if self.exponent < 0 {
+            RBig::from_parts(self.significand.clone(), UBig::ONE << power)
+        } else {
+            RBig::from(&self.significand << power)
+        }
     }
 
     /// Both significands for the same, smaller exponent.

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Sub};
 
-use dashu_int::ops::{BitTest, SquareRoot};
+use dashu_int::ops::{BitTest, Gcd, SquareRoot, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use glam::DVec3;
@@ -46,6 +46,12 @@ impl RationalVector {
         self.rounded().abs().max_element()
     }
 
+    /// Whether all components but one are zero.
+    #[must_use]
+    pub fn is_along_an_axis(&self) -> bool {
+        self.0.iter().filter(|component| !component.is_zero()).count() == 1
+    }
+
     /// Whether it has no length.
     #[must_use]
     pub fn is_zero(&self) -> bool {
@@ -87,6 +93,26 @@ impl RationalVector {
             return DVec3::ZERO;
         }
         self.times(&(RBig::ONE / length)).rounded()
+    }
+
+    /// The shortest vector of whole numbers of this direction; `None` if doubles cannot hold it.
+    #[must_use]
+    pub fn whole(&self) -> Option<DVec3> {
+        const LARGEST: f64 = 9_007_199_254_740_992.0; // 2^53
+        let denominators = self.0.iter().map(|component| component.denominator());
+        let multiple = denominators.fold(UBig::ONE, |multiple, other| {
+            &multiple * other / (&multiple).gcd(other)
+        });
+        let whole = self.times(&RBig::from(multiple));
+        let parts = whole.0.iter().map(|component| component.numerator().clone().unsigned_abs());
+        let divisor = parts.fold(UBig::ZERO, |divisor, part| {
+            if part.is_zero() { divisor } else if divisor.is_zero() { part } else { divisor.gcd(part) }
+        });
+        if divisor.is_zero() {
+            return None;
+        }
+        let shortest = whole.times(&RBig::from_parts(1.into(), divisor)).rounded();
+        (shortest.abs().max_element() <= LARGEST).then_some(shortest)
     }
 
     /// The nearest vector of doubles.

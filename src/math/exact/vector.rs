@@ -4,7 +4,7 @@ use std::ops::{Add, Sub};
 
 use glam::DVec3;
 
-use super::Exact;
+use super::{Exact, RationalVector};
 
 /// A vector of exact components.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,6 +27,12 @@ impl ExactVector {
             &(c * x) - &(a * z),
             &(a * y) - &(b * x),
         ])
+    }
+
+    /// The unit vector of this direction, every component rounded once; zero if this is zero.
+    #[must_use]
+    pub fn unit(&self) -> DVec3 {
+        RationalVector(std::array::from_fn(|axis| self.0[axis].to_rational())).unit()
     }
 
     /// The vector times a number.
