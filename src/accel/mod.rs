@@ -66,8 +66,9 @@ impl<'a> SurfaceList<'a> {
     pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&Entry<'a>, Hit)> {
         let mut best: Option<(&Entry<'a>, Hit)> = None;
         let mut span = span;
+        let left = ray.leaves();
         for entry in &self.entries {
-            if entry.is_left_by(ray) {
+            if entry.lies_on(left) {
                 continue;
             }
             let Some(hit) = entry.surface.hits(ray, span) else {
@@ -85,10 +86,9 @@ impl<'a> SurfaceList<'a> {
 }
 
 impl Entry<'_> {
-    /// Whether a ray starts on this surface's sheet.
-    #[must_use]
-    pub fn is_left_by(&self, ray: &Ray) -> bool {
-        self.support.is_some_and(|support| ray.leaves(support))
+    /// Whether the surface lies on a sheet, if it is known to lie on one.
+    fn lies_on(&self, sheet: Option<Support>) -> bool {
+        sheet.is_some() && self.support == sheet
     }
 
     /// Whether a hit of this surface is nearer than that of one before it in the file.
@@ -105,7 +105,7 @@ impl Entry<'_> {
         match distance.zip(first.surface.exact_distance(ray)) {
             Some((distance, first_distance)) => {
                 let order = distance.compare(&first_distance);
-                Decisions::exact(order == Ordering::Equal);
+                Decisions::note(order == Ordering::Equal);
                 order == Ordering::Less
             }
             None => nearer > 0.0,

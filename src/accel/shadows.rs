@@ -50,11 +50,15 @@ impl<'a> LightView<'a> {
     pub fn transmittance(&self, segment: &Segment) -> Rgb {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
+        let left = segment.ray.leaves();
         for (entry, side) in &self.casters {
-            if entry.is_left_by(&segment.ray) || !entry.surface.occludes(segment, *side) {
+            if entry.lies_on(left) || !entry.surface.occludes(segment, *side) {
                 continue;
             }
-            if entry.support.is_some_and(|support| crossed.contains(&support)) {
+            if entry
+                .support
+                .is_some_and(|support| crossed.contains(&support))
+            {
                 continue;
             }
             if entry.surface.common().material.transparency == 0.0 {

@@ -36,7 +36,7 @@ impl Camera {
     /// The ray through a place of the picture, counted in pixels from the centre of the
     /// lower-left one.
     #[must_use]
-    pub fn ray(&self, x: f64, y: f64) -> Ray {
+    pub fn ray(&self, x: f64, y: f64) -> Ray<'static> {
         let across = self.right * ((x + self.inset) / self.span[0]);
         let upward = self.up * ((y + self.inset) / self.span[1]);
         Ray::new(

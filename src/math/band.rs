@@ -5,7 +5,9 @@
 //! `γ(k) = k u / (1 − k u)` and `S` is the same expression with every term made positive (Higham
 //! 2002, "Accuracy and Stability of Numerical Algorithms", §3.1). A vector `c` from a scene point
 //! to a ray's origin is itself rounded twice: `c = (anchor − p) + offset`; with
-//! `size = |anchor − p|₁ + |offset|₁` every sum of `|cᵢ|` is at most `size`.
+//! `size = |anchor − p|₁ + |offset|₁` every sum of `|cᵢ|` is at most `size`. Where it saves work,
+//! `|anchor|₁ + |p|₁` stands for `|anchor − p|₁`, which is never more: a wider bound sends more to exact
+//! arithmetic, but cannot decide wrongly.
 
 /// Half of the distance from 1 to the next double: the largest relative rounding.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -24,6 +26,9 @@ pub(crate) const HEIGHT: f64 = 6.0 * UNIT;
 /// product, a product and two sums: `γ(7) A`, and `A = Σ|vᵢ|(|dⱼcₖ| + |dₖcⱼ|)` is at most
 /// `|c|₁ maxₖ(|vᵢdⱼ| + |vⱼdᵢ|) ≤ |c|₁ (1 + 4u)²`.
 pub(crate) const MOMENT: f64 = 9.0 * UNIT;
+
+/// What a moment is off by, in units of what a height is off by; `size` is the same in both.
+pub(crate) const MOMENT_PER_HEIGHT: f64 = MOMENT / HEIGHT;
 
 /// `w D − v·(d × c)`, in units of `w`, beside [`MOMENT`] for the other term and its difference: 5 for
 /// the product, and 4 because a border that is a line of whole numbers lies that far from the one

@@ -65,7 +65,11 @@ impl Blueprint {
     /// corner to the next.
     #[must_use]
     pub fn polygon(corners: &[DVec3]) -> Self {
-        let corners: Vec<_> = corners.iter().copied().map(RationalVector::of_decimals).collect();
+        let corners: Vec<_> = corners
+            .iter()
+            .copied()
+            .map(RationalVector::of_decimals)
+            .collect();
         let next = |index: usize| &corners[(index + 1) % corners.len()];
         let border = |(index, from): (usize, &RationalVector)| Border {
             point: from.clone(),

@@ -4,22 +4,20 @@ use std::cell::Cell;
 use std::iter::Sum;
 use std::ops::{Add, Sub};
 
-/// How many yes/no decisions were taken, and how.
+/// How many surface tests a rounded value with an error bound could not decide.
+///
+/// All others it did, so they need no count of their own, and the innermost loops none.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Decisions {
-    /// By a rounded value that lay outside of its error bound.
-    pub by_filter: u64,
-    /// By exact arithmetic, because the rounded value lay within its error bound.
+    /// Decided by exact arithmetic.
     pub exactly: u64,
-    /// By a rule, because the exact value is zero: the ray meets an edge, or two surfaces are
-    /// equally near.
+    /// Decided by a rule, because the exact value is zero: the ray meets an edge, starts on a
+    /// plane, or meets two surfaces in the same place.
     pub by_rule: u64,
 }
 
 thread_local! {
-    static TAKEN: Cell<Decisions> = const {
-        Cell::new(Decisions { by_filter: 0, exactly: 0, by_rule: 0 })
-    };
+    static TAKEN: Cell<Decisions> = const { Cell::new(Decisions { exactly: 0, by_rule: 0 }) };
 }
 
 impl Decisions {
@@ -29,30 +27,16 @@ impl Decisions {
         TAKEN.get()
     }
 
-    /// The number of all of them.
-    #[must_use]
-    pub fn all(&self) -> u64 {
-        self.by_filter + self.exactly + self.by_rule
-    }
-
-    /// Notes decisions taken by the filter.
-    pub(crate) fn filtered(count: u64) {
-        TAKEN.with(|taken| {
-            let decisions = taken.get();
-            taken.set(Self { by_filter: decisions.by_filter + count, ..decisions });
-        });
-    }
-
-    /// Notes a decision taken exactly; if it was a tie, a rule took it.
+    /// Notes a decision by exact arithmetic, or by rule if it was a tie.
     #[cold]
-    pub(crate) fn exact(tie: bool) {
-        let mut decisions = TAKEN.get();
+    pub(crate) fn note(tie: bool) {
+        let mut taken = TAKEN.get();
         if tie {
-            decisions.by_rule += 1;
+            taken.by_rule += 1;
         } else {
-            decisions.exactly += 1;
+            taken.exactly += 1;
         }
-        TAKEN.set(decisions);
+        TAKEN.set(taken);
     }
 }
 
@@ -61,7 +45,6 @@ impl Add for Decisions {
 
     fn add(self, other: Self) -> Self {
         Self {
-            by_filter: self.by_filter + other.by_filter,
             exactly: self.exactly + other.exactly,
             by_rule: self.by_rule + other.by_rule,
         }
@@ -73,7 +56,6 @@ impl Sub for Decisions {
 
     fn sub(self, other: Self) -> Self {
         Self {
-            by_filter: self.by_filter - other.by_filter,
             exactly: self.exactly - other.exactly,
             by_rule: self.by_rule - other.by_rule,
         }

@@ -18,6 +18,8 @@ pub struct Flat {
     base: DVec3,
     /// How far at most `point` lies from the plane through `base`, and what underflow can add.
     slack: f64,
+    /// The plane's share in what a height above it can be off by; see [`Ray`]'s.
+    doubt: f64,
 }
 
 /// The side of a surface that a point is on.
@@ -36,8 +38,6 @@ pub enum Side {
 pub struct Crossing {
     /// From the plane's point to the ray's origin.
     pub origin: DVec3,
-    /// What bounds the rounding of `origin`; see [`Point::seen_from`].
-    pub size: f64,
     /// How far the origin lies behind the plane, along the normal: `N = −n·c`.
     pub height: f64,
     /// How much the ray rises along the normal per unit of `t`: `D = n·d`.
@@ -76,6 +76,7 @@ impl Flat {
             normal,
             base: point,
             slack: UNDERFLOW,
+            doubt: HEIGHT * Point::exact(point).size() + UNDERFLOW,
         }
     }
 
@@ -85,13 +86,14 @@ impl Flat {
         let turned = self.normal.dot(to.normal) < 0.0;
         let normal = if turned { -to.normal } else { to.normal };
         let way = Point::exact(self.point).exactly_from(to.base);
-        let apart = way.dot(&ExactVector::from(normal)).to_f64().abs();
+        // The exact height was rounded once.
+        let apart = way.dot(&ExactVector::from(normal)).to_f64().abs().next_up();
+        let unwelded = Self::with_unit_normal(self.point, normal);
         Self {
-            point: self.point,
-            normal,
             base: to.base,
-            // The exact height was rounded once.
-            slack: UNDERFLOW + apart.next_up(),
+            slack: unwelded.slack + apart,
+            doubt: unwelded.doubt + apart,
+            ..unwelded
         }
     }
 
@@ -111,7 +113,6 @@ impl Flat {
         let (way, size) = point.seen_from(self.point);
         let height = self.normal.dot(way);
         if height.abs() > HEIGHT * size + self.slack {
-            Decisions::filtered(1);
             return Side::of(Sign::of(height));
         }
         Side::of(self.exact_side(point))
@@ -120,7 +121,7 @@ impl Flat {
     /// The sign of the height of a point above the plane, exactly.
     fn exact_side(&self, point: &Point) -> Sign {
         let height = point.exactly_from(self.base).dot(&self.normal.into());
-        Decisions::exact(height.sign() == Sign::Zero);
+        Decisions::note(height.sign() == Sign::Zero);
         height.sign()
     }
 
@@ -129,45 +130,51 @@ impl Flat {
     ///
     /// `end` is the side that the segment's end is on.
     #[must_use]
+    #[inline(always)]
     pub fn separates(&self, segment: &Segment, end: Side) -> Option<Crossing> {
-        let crossing = self.seen_along(&segment.ray);
-        let start = if crossing.height.abs() > crossing.doubt {
-            Decisions::filtered(1);
-            Sign::of(-crossing.height)
+        let ray = &segment.ray;
+        let origin = ray.origin.from(self.point);
+        let height = -self.normal.dot(origin);
+        let doubt = self.doubt + ray.doubt;
+        let start = if height.abs() > doubt {
+            Sign::of(-height)
         } else {
-            self.side_of_origin(&segment.ray)
+            self.side_of_origin(ray)
         };
         let rises = match (Side::of(start), end) {
             (Side::Back, Side::Front) => true,
             (Side::Front, Side::Back) => false,
             _ => return None,
         };
-        Some(Crossing { rises, ..crossing })
+        Some(Crossing {
+            origin,
+            height,
+            slope: self.normal.dot(ray.dir),
+            rises,
+            doubt,
+        })
     }
 
     /// Where a ray crosses the plane ahead of its origin; a ray along the plane never does.
     #[must_use]
+    #[inline(always)]
     pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
-        let crossing = self.seen_along(ray);
-        if crossing.height.abs() > crossing.doubt && crossing.slope.abs() > SLOPE {
-            Decisions::filtered(2);
-            return (crossing.rises == (crossing.height > 0.0)).then_some(crossing);
+        let origin = ray.origin.from(self.point);
+        let height = -self.normal.dot(origin);
+        let slope = self.normal.dot(ray.dir);
+        let doubt = self.doubt + ray.doubt;
+        let rises = slope > 0.0;
+        let crossing = Crossing {
+            origin,
+            height,
+            slope,
+            rises,
+            doubt,
+        };
+        if height.abs() > doubt && slope.abs() > SLOPE {
+            return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
-    }
-
-    /// The line of a ray and the plane, before anything is decided.
-    fn seen_along(&self, ray: &Ray) -> Crossing {
-        let (origin, size) = ray.origin.seen_from(self.point);
-        let slope = self.normal.dot(ray.dir);
-        Crossing {
-            origin,
-            size,
-            height: -self.normal.dot(origin),
-            slope,
-            rises: slope > 0.0,
-            doubt: HEIGHT * size + self.slack + ray.rounding(),
-        }
     }
 
     /// Whether the crossing lies ahead, where rounded values leave doubt.
@@ -175,7 +182,7 @@ impl Flat {
     fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
         let exact = ExactVector::from(ray.dir).dot(&self.normal.into());
         let sign = exact.sign();
-        Decisions::exact(sign == Sign::Zero);
+        Decisions::note(sign == Sign::Zero);
         let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
@@ -198,15 +205,16 @@ impl Flat {
         let Some(departure) = ray.departure else {
             return self.exact_side(&ray.origin);
         };
+        let rounding = departure.rounding();
         let (way, size) = ray.origin.seen_from(self.point);
         let height = self.normal.dot(way);
-        if height.abs() > HEIGHT * size + self.slack + departure.rounding {
+        if height.abs() > HEIGHT * size + self.slack + rounding {
             return Sign::of(height);
         }
         let (way, size) = departure.before.seen_from(self.point);
         let height = self.normal.dot(way);
-        Decisions::exact(true);
-        if height.abs() > HEIGHT * size + self.slack + departure.rounding {
+        Decisions::note(true);
+        if height.abs() > HEIGHT * size + self.slack + rounding {
             return Sign::of(height);
         }
         let went = ExactVector::from(departure.arrival).dot(&self.normal.into());

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Decisions, Ray};
 use super::exact::{Exact, ExactVector, Sign};
+use super::{Decisions, Ray};
 
 /// A line in a plane with an inner side, as one border of a surface. Neighbours that share the line
 /// decide by the same one, so no ray passes between them.
@@ -95,10 +95,17 @@ impl Line {
 #[cold]
 #[must_use]
 pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, rises: bool) -> bool {
-    let outer = if rises { Sign::Negative } else { Sign::Positive };
-    borders.iter().all(|border| {
+    let outer = if rises {
+        Sign::Negative
+    } else {
+        Sign::Positive
+    };
+    let mut tie = false;
+    let inside = borders.iter().all(|border| {
         let side = border.side(ray, normal);
-        Decisions::exact(side == Sign::Zero);
+        tie |= side == Sign::Zero;
         side != outer && (border.owned || side != Sign::Zero)
-    })
+    });
+    Decisions::note(tie);
+    inside
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::FOOT;
+use super::band::{FOOT, HEIGHT};
 use super::exact::ExactVector;
 use super::vector::reflected;
 
@@ -35,6 +35,12 @@ impl Point {
         (self.anchor - other) + self.offset
     }
 
+    /// The sum of all lengths that it is made of.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.anchor.abs().element_sum() + self.offset.abs().element_sum()
+    }
+
     /// The vector from a scene point to this one, and the sum of all lengths that went into it,
     /// which bounds its rounding.
     #[must_use]
@@ -64,74 +70,93 @@ pub struct Support(pub u32);
 
 /// A half-line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ray {
+pub struct Ray<'a> {
     /// Where it starts.
     pub origin: Point,
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
-    /// The surface that it leaves, if it does not start in free space.
-    pub departure: Option<Departure>,
+    /// The hit that it starts from, if it does not start in free space.
+    pub departure: Option<&'a Departure>,
+    /// The ray's share in what a height above a plane can be off by: what rounding its origin
+    /// took, and takes again when the way to the plane's point is computed.
+    pub(crate) doubt: f64,
 }
 
-/// What a ray knows of the surface that it leaves.
+/// A hit from which other rays start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Departure {
-    /// The surface's sheet, which the ray cannot meet again: a line meets a plane once.
-    pub support: Support,
-    /// How far at most the ray's origin lies from where the ray before it met the surface.
-    pub rounding: f64,
-    /// Where the ray before it started.
+    /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
+    /// they can.
+    pub support: Option<Support>,
+    /// The hit.
+    pub point: Point,
+    /// Where the ray that arrived had started.
     pub before: Point,
-    /// Where the ray before it went.
+    /// Where the ray that arrived went.
     pub arrival: DVec3,
+    /// How far at most the distance to the hit is from the exact one.
+    error: f64,
+    doubt: f64,
 }
 
 impl Departure {
-    /// From a surface on this sheet, where a ray met it at this point; the distance that led there
-    /// has this error.
+    /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
-    pub fn new(support: Support, arriving: &Ray, at: &Point, error: f64) -> Self {
-        let (_, size) = arriving.origin.seen_from(at.anchor);
+    pub fn new(support: Option<Support>, arriving: &Ray<'_>, point: Point, error: f64) -> Self {
+        let doubt = (FOOT / HEIGHT) * arriving.doubt + (FOOT + HEIGHT) * point.size() + 2.0 * error;
         Self {
             support,
-            rounding: FOOT * (size + at.offset.abs().element_sum()) + 2.0 * error,
+            point,
             before: arriving.origin,
             arrival: arriving.dir,
+            error,
+            doubt,
         }
+    }
+
+    /// How far at most the point lies from where the ray that arrived met the surface.
+    #[must_use]
+    pub fn rounding(&self) -> f64 {
+        let (_, size) = self.before.seen_from(self.point.anchor);
+        FOOT * (size + self.point.offset.abs().element_sum()) + 2.0 * self.error
     }
 }
 
-impl Ray {
+impl<'a> Ray<'a> {
     /// A ray that starts in free space.
     #[must_use]
     pub fn new(origin: Point, dir: DVec3) -> Self {
-        Self::leaving(None, origin, dir)
-    }
-
-    /// A ray that starts on a surface.
-    #[must_use]
-    pub fn leaving(departure: Option<Departure>, origin: Point, dir: DVec3) -> Self {
-        debug_assert!(
-            (dir.length_squared() - 1.0).abs() < 16.0 * f64::EPSILON,
-            "{dir} is not unit"
-        );
+        debug_assert!(is_unit(dir), "{dir} is not unit");
         Self {
             origin,
             dir,
-            departure,
+            departure: None,
+            doubt: HEIGHT * origin.size(),
         }
     }
 
-    /// Whether it starts on this sheet.
+    /// A ray that starts from a hit.
     #[must_use]
-    pub fn leaves(&self, support: Support) -> bool {
-        self.departure.is_some_and(|departure| departure.support == support)
+    pub fn leaving(departure: &'a Departure, dir: DVec3) -> Self {
+        debug_assert!(is_unit(dir), "{dir} is not unit");
+        Self {
+            origin: departure.point,
+            dir,
+            departure: Some(departure),
+            doubt: departure.doubt,
+        }
     }
 
     /// How far at most its origin lies from where it ought to.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        self.departure.map_or(0.0, |departure| departure.rounding)
+        self.departure.map_or(0.0, Departure::rounding)
+    }
+
+    /// The sheet that it starts from.
+    #[must_use]
+    pub fn leaves(&self) -> Option<Support> {
+        self.departure.and_then(|departure| departure.support)
     }
 
     /// The point at distance `t`.
@@ -148,6 +173,10 @@ impl Ray {
     pub fn mirrored(&self, normal: DVec3) -> DVec3 {
         reflected(self.dir, normal)
     }
+}
+
+fn is_unit(dir: DVec3) -> bool {
+    (dir.length_squared() - 1.0).abs() < 16.0 * f64::EPSILON
 }
 
 /// The distances along a ray that count: open at zero, closed at the given bounds.

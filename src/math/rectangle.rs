@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::band::{EXTENT, MOMENT, UNDERFLOW};
+use super::band::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
 use super::exact::ExactVector;
 use super::line::inside_all;
-use super::{Blueprint, Crossing, Decisions, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
+use super::{Blueprint, Crossing, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -87,12 +87,13 @@ impl Rectangle {
         &(&ExactVector::from(self.flat.point) + &x) + &y
     }
 
-    /// Where a ray crosses the rectangle: the crossing, its distance, and its offset from the
-    /// corner along x and y in world units.
+    /// Where a ray crosses the rectangle: its distance, how far at most that is from the exact one,
+    /// and the offset from the corner along x and y in world units.
     ///
     /// All four borders belong to the rectangle, but for those that a neighbour owns.
     #[must_use]
-    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(Crossing, f64, DVec2)> {
+    #[inline]
+    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
         let crossing = self.flat.crossing(ray)?;
         let scaled = self.inside(&crossing, ray)?;
         // Only a certain hit is divided.
@@ -101,11 +102,12 @@ impl Rectangle {
             return None;
         }
         let offset = scaled / crossing.slope.abs();
-        Some((crossing, t, offset.max(DVec2::ZERO).min(self.size)))
+        Some((t, crossing.error(t), offset.max(DVec2::ZERO).min(self.size)))
     }
 
     /// Whether the rectangle stands between the ends of a segment, whose `end` is on this side.
     #[must_use]
+    #[inline]
     pub fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
             self.inside(&crossing, &segment.ray).is_some()
@@ -117,27 +119,25 @@ impl Rectangle {
     ///
     /// With `m = d × c`, `x D = y·m` and `y D = −x·m` (Binet–Cauchy), so the side of each border
     /// is decided by the line alone, before any division.
+    #[inline(always)]
     fn inside(&self, crossing: &Crossing, ray: &Ray) -> Option<DVec2> {
         let moment = ray.dir.cross(crossing.origin);
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
-        let doubt = MOMENT * crossing.size + self.slack;
+        let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
 
         let x = self.frame.y.dot(moment) * sign;
-        let from_border = x.min(self.size.x * scale - x);
-        if from_border < -doubt {
-            Decisions::filtered(1);
+        let beyond_x = self.size.x * scale - x;
+        if x < -doubt || beyond_x < -doubt {
             return None;
         }
-        let certain = from_border > doubt;
         let y = -self.frame.x.dot(moment) * sign;
-        let from_border = y.min(self.size.y * scale - y);
-        if from_border < -doubt {
-            Decisions::filtered(2);
+        let beyond_y = self.size.y * scale - y;
+        if y < -doubt || beyond_y < -doubt {
             return None;
         }
-        let inside = if certain && from_border > doubt {
-            Decisions::filtered(4);
+        let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
+        let inside = if certain {
             true
         } else {
             inside_all(&self.borders, ray, self.flat.normal, crossing.rises)

@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::{Departure, Point, Ray, Span, direction};
+use super::{Departure, Ray, Span, direction};
 
 /// The straight way from a point on a surface to a scene point, such as a light.
 #[derive(Debug, Clone, Copy)]
-pub struct Segment {
+pub struct Segment<'a> {
     /// The ray from the start towards the end.
-    pub ray: Ray,
+    pub ray: Ray<'a>,
     /// The scene point at the end.
     pub end: DVec3,
     /// The distance from start to end.
@@ -17,16 +17,16 @@ pub struct Segment {
     pub span: Span,
 }
 
-impl Segment {
-    /// The segment from a point on a surface to a scene point; `None` if they coincide.
+impl<'a> Segment<'a> {
+    /// The segment from a hit to a scene point; `None` if they coincide.
     #[must_use]
-    pub fn new(departure: Option<Departure>, start: Point, end: DVec3) -> Option<Self> {
-        let way = -start.from(end);
+    pub fn new(departure: &'a Departure, end: DVec3) -> Option<Self> {
+        let way = -departure.point.from(end);
         let length = way.length();
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let ray = Ray::leaving(departure, start, direction(way));
+        let ray = Ray::leaving(departure, direction(way));
         Some(Self {
             ray,
             end,

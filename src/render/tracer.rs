@@ -49,7 +49,9 @@ impl<'a> Tracer<'a> {
         Ok(Self {
             scene,
             camera,
-            light_views: lights.map(|light| LightView::new(&surfaces, light.location)).collect(),
+            light_views: lights
+                .map(|light| LightView::new(&surfaces, light.location))
+                .collect(),
             surfaces,
         })
     }
@@ -71,10 +73,9 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         };
         let surface = entry.surface;
-        let leaves = |support| Departure::new(support, ray, &hit.point, hit.error);
-        let departure = entry.support.map(leaves);
+        let departure = Departure::new(entry.support, ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, entry, departure, &hit, probe);
+        let local = self.local_color(ray, entry, &departure, &hit, probe);
         let mut color = local / self.scene.lighting.view_falloff.divisor(travelled);
 
         let material = &surface.common().material;
@@ -91,7 +92,7 @@ impl<'a> Tracer<'a> {
             }
             *bounces -= 1;
             count(probe);
-            let next = Ray::leaving(departure, hit.point, dir);
+            let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, bounces, probe)
         };
         if material.transparency > 0.0 {
@@ -119,7 +120,7 @@ impl<'a> Tracer<'a> {
         &self,
         ray: &Ray,
         entry: &Entry<'_>,
-        departure: Option<Departure>,
+        departure: &Departure,
         hit: &Hit,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -133,7 +134,7 @@ impl<'a> Tracer<'a> {
             if !view.lights(entry) {
                 continue;
             }
-            let Some(mut segment) = Segment::new(departure, hit.point, light.location) else {
+            let Some(mut segment) = Segment::new(departure, light.location) else {
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);

@@ -30,6 +30,8 @@ pub(super) struct Quadratic {
     pub(super) a: Exact,
     pub(super) b: Exact,
     pub(super) c: Exact,
+    /// How far at most the ray's origin is from where it ought to be.
+    pub(super) rounding: f64,
 }
 
 impl Chord {
@@ -58,43 +60,47 @@ impl Chord {
     /// The distance at which the line enters the ball, and how far at most it is from the exact
     /// one; `None` if the line passes by or only touches, or starts inside or leads away.
     ///
-    /// `rounding` is how far the ray's origin can be from where it ought to be: one that starts on
-    /// something that touches the ball is not inside of it.
+    /// `doubt` bounds how far the ray's origin can be from where it ought to be.
     pub(super) fn entry(
         &self,
-        rounding: f64,
+        doubt: f64,
         equation: impl FnOnce() -> Quadratic,
     ) -> Option<(f64, f64)> {
         if self.ahead < -self.doubt || self.half_squared < -self.half_squared_doubt {
-            Decisions::filtered(1);
             return None;
         }
         if self.half_squared > self.half_squared_doubt {
             let half = self.half_squared.sqrt();
             let (t, error) = (self.ahead - half, self.error(half));
-            if t > error + rounding {
-                Decisions::filtered(3);
+            if t > error + doubt {
                 return Some((t, error));
             }
-            if t < -error - rounding {
-                Decisions::filtered(3);
+            if t < -error - doubt {
                 return None;
             }
         }
-        self.exact_entry(rounding, &equation())
+        self.exact_entry(&equation())
     }
 
     /// [`entry`](Self::entry) where rounded values leave doubt.
+    ///
+    /// A ray that starts on something that touches the ball is not inside of it.
     #[cold]
-    fn exact_entry(&self, rounding: f64, equation: &Quadratic) -> Option<(f64, f64)> {
-        let Quadratic { a, b, c } = equation;
+    fn exact_entry(&self, equation: &Quadratic) -> Option<(f64, f64)> {
+        let Quadratic { a, b, c, rounding } = equation;
+        let rounding = *rounding;
         let discriminant = &b.squared() - &(a * c);
-        Decisions::exact(discriminant.sign() == Sign::Zero);
+        Decisions::note(discriminant.sign() == Sign::Zero);
         let half = self.half_squared.max(0.0).sqrt();
         let (t, error) = (self.ahead - half, self.error(half.max(f64::MIN_POSITIVE)));
         let outside = c.sign() == Sign::Positive || t.abs() <= error + rounding && rounding > 0.0;
         let met = outside && b.sign() == Sign::Positive && discriminant.sign() == Sign::Positive;
-        met.then(|| (t.max(f64::from_bits(1)), error.min(2.0 * self.ahead.abs() + rounding)))
+        met.then(|| {
+            (
+                t.max(f64::from_bits(1)),
+                error.min(2.0 * self.ahead.abs() + rounding),
+            )
+        })
     }
 
     /// How far at most the distance is off, for a half chord that is not zero.
@@ -125,6 +131,7 @@ mod tests {
                 a: dir.dot(&dir),
                 b: -&origin.dot(&dir),
                 c: &origin.dot(&origin) - &Exact::from(1.0),
+                rounding: 0.0,
             }
         };
         let chord = Chord::new(origin, origin.abs().element_sum(), dir, 1.0);

@@ -108,6 +108,7 @@ impl Ellipsoid {
             a: dir.dot(&dir),
             b: -&origin.dot(&dir),
             c: &origin.dot(&origin) - &self.exact_volume().squared(),
+            rounding: ray.rounding() / self.axes.min_element(),
         }
     }
 
@@ -132,9 +133,9 @@ impl Surface for Ellipsoid {
         let stretched = ray.dir / self.axes;
         let speed = stretched.length();
         let dir = stretched / speed;
-        let rounding = ray.rounding() / self.axes.min_element();
+        let doubt = ray.doubt / self.axes.min_element();
         let chord = Chord::new(origin, size, dir, 1.0);
-        let (entered, error) = chord.entry(rounding, || self.equation(ray))?;
+        let (entered, error) = chord.entry(doubt, || self.equation(ray))?;
         let t = Some(entered / speed).filter(|t| span.contains(*t))?;
         let on_sphere = direction(origin + dir * entered);
         let point = Point {

@@ -97,11 +97,11 @@ impl FinitePlane {
 
 impl Surface for FinitePlane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let (crossing, t, uv) = self.rectangle.hits(ray, span)?;
+        let (t, error, uv) = self.rectangle.hits(ray, span)?;
         let point = self.rectangle.point(uv);
         Some(Hit {
             t,
-            error: crossing.error(t),
+            error,
             point,
             normal: self.rectangle.flat.normal,
             uv,

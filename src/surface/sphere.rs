@@ -84,6 +84,7 @@ impl Sphere {
             a: dir.dot(&dir),
             b: -&origin.dot(&dir),
             c: &origin.dot(&origin) - &Exact::from(self.radius).squared(),
+            rounding: ray.rounding(),
         }
     }
 
@@ -91,7 +92,7 @@ impl Sphere {
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let (origin, size) = ray.origin.seen_from(self.center);
         let chord = Chord::new(origin, size, ray.dir, self.radius);
-        chord.entry(ray.rounding(), || self.equation(ray))
+        chord.entry(ray.doubt, || self.equation(ray))
     }
 }
 

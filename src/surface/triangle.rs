@@ -17,9 +17,7 @@ use super::{Common, Hit, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::band::{MOMENT, UNDERFLOW};
 use crate::math::exact::Distance;
-use crate::math::{
-    Blueprint, Crossing, Decisions, Flat, Line, Point, Ray, Segment, Side, Span, inside_all,
-};
+use crate::math::{Blueprint, Crossing, Flat, Line, Point, Ray, Segment, Side, Span, inside_all};
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
 #[derive(Debug, Clone)]
@@ -74,7 +72,11 @@ impl Triangle {
             vertices,
             flat: Flat::with_unit_normal(a, normal),
             edges: [b - a, c - b, a - c],
-            borders: [Line::between(b, a), Line::between(c, b), Line::between(a, c)],
+            borders: [
+                Line::between(b, a),
+                Line::between(c, b),
+                Line::between(a, c),
+            ],
             slack: 0.0,
         })
     }
@@ -92,14 +94,11 @@ impl Triangle {
             let side = edge.dot(ray.dir.cross(origin)) * sign;
             let doubt = (MOMENT * size + self.slack) * edge.abs().element_sum() + UNDERFLOW;
             if side < -doubt {
-                Decisions::filtered(1);
                 return false;
             }
             certain &= side > doubt;
         }
-        if certain {
-            Decisions::filtered(3);
-        }
+        if certain {}
         certain || inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
     }
 }
@@ -152,7 +151,11 @@ impl Surface for Triangle {
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
         self.flat = self.flat.welded(plane);
         let [a, b, c] = self.vertices;
-        let shared = self.borders.iter_mut().zip(borders).zip([[a, b], [b, c], [c, a]]);
+        let shared = self
+            .borders
+            .iter_mut()
+            .zip(borders)
+            .zip([[a, b], [b, c], [c, a]]);
         for ((border, line), ends) in shared {
             let Some(line) = line else { continue };
             *border = *line;

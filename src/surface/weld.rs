@@ -62,7 +62,9 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
     let mut welds = Vec::new();
     for plane in planes(&blueprints) {
         let first = plane[0].surface;
-        let Some(flat) = surfaces[first].flat() else { continue };
+        let Some(flat) = surfaces[first].flat() else {
+            continue;
+        };
         if plane.len() > 1 {
             welds.push(Weld::of(Welded::Plane, &plane));
         }
@@ -82,7 +84,9 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
                 let mut own = decisive.for_neighbor(same_front, member.forward == first.forward);
                 own.owned = member.forward;
                 let count = surfaces[member.surface].borders().len();
-                let all = borders.entry(member.surface).or_insert_with(|| vec![None; count]);
+                let all = borders
+                    .entry(member.surface)
+                    .or_insert_with(|| vec![None; count]);
                 all[member.border] = Some(own);
             }
         }
@@ -125,7 +129,9 @@ fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>>
         return Vec::new();
     }
     for one in plane {
-        let Some(blueprint) = &blueprints[one.surface] else { continue };
+        let Some(blueprint) = &blueprints[one.surface] else {
+            continue;
+        };
         let (normal, _) = blueprint.normal.canonical();
         for (border, line) in blueprint.borders.iter().enumerate() {
             let (direction, turned) = line.along.canonical();

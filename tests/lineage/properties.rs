@@ -77,8 +77,8 @@ proptest! {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
         let Some((left, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
-        let departure = left.support.map(|it| Departure::new(it, &ray, &hit.point, hit.error));
-        let onward = Ray::leaving(departure, hit.point, unit(onward).unwrap());
+        let departure = Departure::new(left.support, &ray, hit.point, hit.error);
+        let onward = Ray::leaving(&departure, unit(onward).unwrap());
         if let Some((met, _)) = list.nearest(&onward, Span::AHEAD) {
             prop_assert_ne!(met.support, left.support);
             prop_assert_ne!(met.index, left.index);

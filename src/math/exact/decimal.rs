@@ -45,7 +45,10 @@ mod tests {
         assert_eq!(decimal(-0.7), tenths(-7));
         assert_eq!(decimal(1e300), RBig::from(UBig::from(10u8).pow(300)));
         assert_eq!(decimal(-5e-324).numerator(), &IBig::from(-1));
-        assert_eq!(decimal(6e15) / RBig::from(2), RBig::from(3_000_000_000_000_000i64));
+        assert_eq!(
+            decimal(6e15) / RBig::from(2),
+            RBig::from(3_000_000_000_000_000i64)
+        );
         assert_eq!(decimal(-0.0), RBig::ZERO);
     }
 }

@@ -94,12 +94,24 @@ mod tests {
         let (two, little) = (root(1.0, 3.0, 8.0), root(1.0, 2.0, 1.0));
         assert_eq!(two.compare(&quotient(2.0, 1.0)), Ordering::Equal);
         assert_eq!(two.compare(&quotient(-4.0, -2.0)), Ordering::Equal);
-        assert_eq!(two.compare(&quotient(2.0f64.next_up(), 1.0)), Ordering::Less);
-        assert_eq!(quotient(2.0f64.next_down(), 1.0).compare(&two), Ordering::Less);
+        assert_eq!(
+            two.compare(&quotient(2.0f64.next_up(), 1.0)),
+            Ordering::Less
+        );
+        assert_eq!(
+            quotient(2.0f64.next_down(), 1.0).compare(&two),
+            Ordering::Less
+        );
         assert_eq!(little.compare(&two), Ordering::Less);
         assert_eq!(two.compare(&little), Ordering::Greater);
-        assert_eq!(little.compare(&quotient(0.267_949_192_431_122_7, 1.0)), Ordering::Greater);
-        assert_eq!(little.compare(&quotient(0.267_949_192_431_122_75, 1.0)), Ordering::Less);
+        assert_eq!(
+            little.compare(&quotient(0.267_949_192_431_122_7, 1.0)),
+            Ordering::Greater
+        );
+        assert_eq!(
+            little.compare(&quotient(0.267_949_192_431_122_75, 1.0)),
+            Ordering::Less
+        );
         // The same root in another scale.
         assert_eq!(little.compare(&root(3.0, 6.0, 3.0)), Ordering::Equal);
     }

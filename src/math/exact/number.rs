@@ -106,7 +106,11 @@ impl From<f64> for Exact {
         }
         let twos = significand.trailing_zeros();
         let significand = significand >> twos;
-        let signed = if number < 0.0 { -significand } else { significand };
+        let signed = if number < 0.0 {
+            -significand
+        } else {
+            significand
+        };
         Self {
             significand: IBig::from(signed),
             exponent: exponent + i64::from(twos),
@@ -214,7 +218,10 @@ mod tests {
         // In doubles 0.1 + 0.1 + 0.1 is 0.30000000000000004; exactly it is above the double 0.3 too,
         // but by less than one rounding.
         assert_eq!((&sum - &Exact::from(0.3)).sign(), Sign::Positive);
-        assert_eq!((&sum - &Exact::from(0.1 + 0.1 + 0.1)).sign(), Sign::Negative);
+        assert_eq!(
+            (&sum - &Exact::from(0.1 + 0.1 + 0.1)).sign(),
+            Sign::Negative
+        );
         let tiny = Exact::from(5e-324);
         let huge = Exact::from(f64::MAX);
         assert_eq!((&(&huge + &tiny) - &huge), tiny);
@@ -223,7 +230,15 @@ mod tests {
 
     #[test]
     fn doubles_come_back() {
-        for number in [0.0, 1.0, -0.1, 5e-324, f64::MAX, -2f64.powi(-1000), 1.0 / 3.0] {
+        for number in [
+            0.0,
+            1.0,
+            -0.1,
+            5e-324,
+            f64::MAX,
+            -2f64.powi(-1000),
+            1.0 / 3.0,
+        ] {
             assert_eq!(Exact::from(number).to_f64(), number);
         }
     }

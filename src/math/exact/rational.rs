@@ -49,7 +49,11 @@ impl RationalVector {
     /// Whether all components but one are zero.
     #[must_use]
     pub fn is_along_an_axis(&self) -> bool {
-        self.0.iter().filter(|component| !component.is_zero()).count() == 1
+        self.0
+            .iter()
+            .filter(|component| !component.is_zero())
+            .count()
+            == 1
     }
 
     /// Whether it has no length.
@@ -71,7 +75,10 @@ impl RationalVector {
         match self.0.iter().find(|component| !component.is_zero()) {
             Some(first) => {
                 let turned = first < &RBig::ZERO;
-                (Self(std::array::from_fn(|axis| &self.0[axis] / first)), turned)
+                (
+                    Self(std::array::from_fn(|axis| &self.0[axis] / first)),
+                    turned,
+                )
             }
             None => (self.clone(), false),
         }
@@ -104,9 +111,18 @@ impl RationalVector {
             &multiple * other / (&multiple).gcd(other)
         });
         let whole = self.times(&RBig::from(multiple));
-        let parts = whole.0.iter().map(|component| component.numerator().clone().unsigned_abs());
+        let parts = whole
+            .0
+            .iter()
+            .map(|component| component.numerator().clone().unsigned_abs());
         let divisor = parts.fold(UBig::ZERO, |divisor, part| {
-            if part.is_zero() { divisor } else if divisor.is_zero() { part } else { divisor.gcd(part) }
+            if part.is_zero() {
+                divisor
+            } else if divisor.is_zero() {
+                part
+            } else {
+                divisor.gcd(part)
+            }
         });
         if divisor.is_zero() {
             return None;
@@ -150,7 +166,10 @@ fn square_root(number: &RBig) -> (RBig, bool) {
     let product = numerator * &denominator;
     let lacking = (2 * BITS).saturating_sub(product.bit_len()).div_ceil(2);
     let root = (product << (2 * lacking)).sqrt();
-    (RBig::from_parts(IBig::from(root), denominator << lacking), false)
+    (
+        RBig::from_parts(IBig::from(root), denominator << lacking),
+        false,
+    )
 }
 
 impl Add for &RationalVector {
@@ -179,7 +198,11 @@ mod tests {
             let given = ["3", "-4", "12"].map(|digits| format!("{digits}e{exponent}").parse());
             let given = given.map(|number| number.expect("a number"));
             let unit = RationalVector::of_decimals(DVec3::from_array(given)).unit();
-            assert_eq!(unit, DVec3::new(3.0 / 13.0, -4.0 / 13.0, 12.0 / 13.0), "{exponent}");
+            assert_eq!(
+                unit,
+                DVec3::new(3.0 / 13.0, -4.0 / 13.0, 12.0 / 13.0),
+                "{exponent}"
+            );
         }
         let tiny = RationalVector::of_decimals(DVec3::splat(5e-324)).unit();
         assert_eq!(tiny, DVec3::splat(0.577_350_269_189_625_7));
