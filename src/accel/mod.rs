@@ -10,7 +10,9 @@ use crate::surface::{Hit, Surface};
 /// The surfaces of a scene in file order: every one is asked.
 #[derive(Debug)]
 pub struct SurfaceList<'a> {
-    entries: Vec<(&'a dyn Surface, Support)>,
+    /// Each surface with the sheet that it lies on; without one, a ray that leaves the surface asks
+    /// it again.
+    entries: Vec<(&'a dyn Surface, Option<Support>)>,
 }
 
 impl<'a> SurfaceList<'a> {
@@ -19,7 +21,16 @@ impl<'a> SurfaceList<'a> {
     pub fn new(surfaces: &'a [Box<dyn Surface>]) -> Self {
         let all = surfaces.iter().map(AsRef::as_ref);
         Self {
-            entries: all.zip(supports(surfaces)).collect(),
+            entries: all.zip(supports(surfaces).into_iter().map(Some)).collect(),
+        }
+    }
+
+    /// A list of surfaces that themselves keep a ray from meeting the one that it leaves.
+    #[must_use]
+    pub fn without_sheets(surfaces: &'a [Box<dyn Surface + 'a>]) -> Self {
+        let all = surfaces.iter().map(AsRef::as_ref);
+        Self {
+            entries: all.map(|surface| (surface, None)).collect(),
         }
     }
 
@@ -27,18 +38,22 @@ impl<'a> SurfaceList<'a> {
     ///
     /// Of surfaces on the same sheet the first in the file wins.
     #[must_use]
-    pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&'a dyn Surface, Support, Hit)> {
-        let mut best: Option<(&'a dyn Surface, Support, Hit)> = None;
+    pub fn nearest(
+        &self,
+        ray: &Ray,
+        span: Span,
+    ) -> Option<(&'a dyn Surface, Option<Support>, Hit)> {
+        let mut best: Option<(&'a dyn Surface, Option<Support>, Hit)> = None;
         let mut span = span;
         for &(surface, support) in &self.entries {
-            if ray.leaves == Some(support) {
+            if support.is_some() && ray.leaves == support {
                 continue;
             }
             let Some(hit) = surface.hits(ray, span) else {
                 continue;
             };
             if best.as_ref().is_some_and(|(_, best_support, best_hit)| {
-                hit.t >= best_hit.t || support == *best_support
+                hit.t >= best_hit.t || (support.is_some() && support == *best_support)
             }) {
                 continue;
             }
@@ -57,10 +72,11 @@ impl<'a> SurfaceList<'a> {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
         for &(surface, support) in &self.entries {
-            if segment.ray.leaves == Some(support) || !surface.occludes(segment) {
+            let leaves = support.is_some() && segment.ray.leaves == support;
+            if leaves || !surface.occludes(segment) {
                 continue;
             }
-            if crossed.contains(&support) {
+            if support.is_some_and(|support| crossed.contains(&support)) {
                 continue;
             }
             let common = surface.common();
@@ -70,7 +86,7 @@ impl<'a> SurfaceList<'a> {
             if common.material.transparency == 0.0 {
                 return Rgb::BLACK;
             }
-            crossed.push(support);
+            crossed.extend(support);
             if let Some(hit) = surface.hits(&segment.ray, segment.span) {
                 passed = passed * surface.transmits(&hit);
             }

@@ -5,6 +5,7 @@
 mod bounds;
 mod flat;
 mod frame;
+mod numerics;
 mod ray;
 mod rectangle;
 mod rgb;
@@ -14,6 +15,7 @@ mod vector;
 pub use bounds::Bounds;
 pub use flat::{Crossing, Flat, Side};
 pub use frame::Frame;
+pub use numerics::Numerics;
 pub use ray::{Point, Ray, Span, Support};
 pub use rectangle::Rectangle;
 pub use rgb::Rgb;

@@ -34,18 +34,25 @@ struct Path {
 }
 
 impl<'a> Tracer<'a> {
-    /// A tracer for this scene.
+    /// A tracer for this scene; `classic` are its surfaces made for other numerics than their own,
+    /// if the scene asks for that ([`crate::surface::classic::surfaces`]).
     ///
     /// # Errors
     /// Refuses a camera that cannot exist.
-    pub fn new(scene: &'a Scene) -> Result<Self, Refusal> {
+    pub fn new(
+        scene: &'a Scene,
+        classic: Option<&'a [Box<dyn Surface + 'a>]>,
+    ) -> Result<Self, Refusal> {
         let camera = scene
             .view
             .camera(scene.picture.width, scene.picture.height)?;
         Ok(Self {
             scene,
             camera,
-            surfaces: SurfaceList::new(&scene.surfaces),
+            surfaces: classic.map_or_else(
+                || SurfaceList::new(&scene.surfaces),
+                SurfaceList::without_sheets,
+            ),
         })
     }
 
@@ -84,7 +91,7 @@ impl<'a> Tracer<'a> {
             }
             *bounces -= 1;
             count(probe);
-            let next = Ray::leaving(Some(support), hit.point, dir);
+            let next = Ray::leaving(support, hit.point, dir);
             share * self.trace(&next, &path, bounces, probe)
         };
         if material.transparency > 0.0 {
@@ -112,7 +119,7 @@ impl<'a> Tracer<'a> {
         &self,
         ray: &Ray,
         surface: &dyn Surface,
-        support: Support,
+        support: Option<Support>,
         hit: &Hit,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -122,7 +129,7 @@ impl<'a> Tracer<'a> {
         }
         let diffuse = surface.getdiff(hit);
         for light in &self.scene.lights {
-            let Some(mut segment) = Segment::new(Some(support), hit.point, light.location) else {
+            let Some(mut segment) = Segment::new(support, hit.point, light.location) else {
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Sphere, Surface, globe, sphere::enters};
+use super::{Blueprint, Common, Hit, Shape, Sphere, Surface, globe, sphere::enters};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
@@ -126,6 +126,14 @@ impl Surface for Ellipsoid {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        let shape = Shape::Ellipsoid {
+            center: self.center,
+            axes: self.axes,
+        };
+        Some(globe::blueprint(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

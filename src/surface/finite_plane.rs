@@ -14,7 +14,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Blueprint, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Rectangle, Segment, Span};
 
@@ -108,6 +108,15 @@ impl Surface for FinitePlane {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        let Rectangle { flat, frame, size } = self.rectangle;
+        Some(Blueprint::plain(Shape::Rectangle {
+            corner: flat.point,
+            axes: [frame.x, frame.y, flat.normal],
+            size,
+        }))
     }
 
     fn describe(&self) -> Node {

@@ -1,5 +1,7 @@
 //! What a ray can hit. **The heart**: [`Surface`] is what the tracer calls on the boxed objects.
 
+mod blueprint;
+pub mod classic;
 mod common;
 mod globe;
 
@@ -10,6 +12,7 @@ use glam::{DVec2, DVec3};
 use crate::language::{Node, Schema};
 use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
 
+pub use blueprint::{Blueprint, Cover, Shape};
 pub use common::{Common, Shadows};
 pub use procedural_plane::Shader;
 pub use tiled_plane::TileStart;
@@ -78,6 +81,12 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The side that a point is on; behind a closed surface is inside.
     fn side(&self, point: &Point) -> Side {
         self.flat().map_or(Side::Front, |flat| flat.side(point))
+    }
+
+    /// The surface in plain numbers, from which [`classic`] makes it anew; a surface without one
+    /// is always asked itself.
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        None
     }
 
     /// Whether the surface stands between the ends of a segment.

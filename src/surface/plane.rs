@@ -12,7 +12,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Blueprint, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Segment, Span};
 
@@ -84,6 +84,13 @@ impl Surface for Plane {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        Some(Blueprint::plain(Shape::Plane {
+            point: self.flat.point,
+            normal: self.flat.normal,
+        }))
     }
 
     fn describe(&self) -> Node {

@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Common, Hit, Plane, Surface};
+use super::{Blueprint, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Naming, Node, Schema, Takes};
 use crate::math::{Flat, Ray, Rgb, Segment, Span};
 
@@ -104,6 +104,10 @@ impl Surface for ProceduralPlane {
 
     fn common(&self) -> &Common {
         self.plane.common()
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        Some(self.plane.blueprint()?.covered(Cover::Own))
     }
 
     fn describe(&self) -> Node {

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface, globe};
+use super::{Blueprint, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
@@ -112,6 +112,14 @@ impl Surface for Sphere {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        let shape = Shape::Sphere {
+            center: self.center,
+            radius: self.radius,
+        };
+        Some(globe::blueprint(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

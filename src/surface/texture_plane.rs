@@ -15,7 +15,7 @@
 
 use glam::DVec3;
 
-use super::{Common, FinitePlane, Hit, Surface};
+use super::{Blueprint, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::{Flat, Ray, Rgb, Segment, Span};
 use crate::texture::{TextureMap, Wrap};
@@ -106,6 +106,10 @@ impl Surface for TexturePlane {
 
     fn common(&self) -> &Common {
         self.plane.common()
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        Some(self.plane.blueprint()?.covered(Cover::Image(&self.image)))
     }
 
     fn describe(&self) -> Node {

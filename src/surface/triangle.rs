@@ -13,7 +13,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Blueprint, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Segment, Span};
 
@@ -101,6 +101,13 @@ impl Surface for Triangle {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn blueprint(&self) -> Option<Blueprint<'_>> {
+        Some(Blueprint::plain(Shape::Triangle {
+            vertices: self.vertices,
+            normal: self.flat.normal,
+        }))
     }
 
     fn describe(&self) -> Node {

@@ -77,7 +77,7 @@ proptest! {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
         let Some((left, support, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
-        let onward = Ray::leaving(Some(support), hit.point, unit(onward).unwrap());
+        let onward = Ray::leaving(support, hit.point, unit(onward).unwrap());
         if let Some((met, met_support, _)) = list.nearest(&onward, Span::AHEAD) {
             prop_assert_ne!(met_support, support);
             prop_assert!(!std::ptr::addr_eq(met, left));
