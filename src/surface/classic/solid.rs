@@ -4,8 +4,8 @@ use std::fmt::Debug;
 
 use glam::DVec2;
 
-use super::vector::{Line, Vector};
 use super::Scalar;
+use super::vector::{Line, Vector};
 use crate::math::Point;
 use crate::surface::Hit;
 

@@ -1,2 +1,340 @@
-//! What the classic algorithm does, and where it goes wrong. Robust numerics do not; their own
-//! tests say so.
+//! What the classic algorithm does, and where it goes wrong. The robust numerics do not, and the
+//! tests that show a weakness say so beside it.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::*;
+use crate::material::Material;
+use crate::math::{direction, unit};
+use crate::surface::{
+    Ellipsoid, FinitePlane, Plane, ProceduralPlane, Shader, Sphere, TileStart, TiledPlane, Triangle,
+};
+
+fn material(name: &str, ambient: f64) -> Arc<Material> {
+    Arc::new(Material {
+        name: name.to_owned(),
+        ambient: Rgb::new(ambient, ambient, ambient),
+        diffuse: Rgb::WHITE,
+        specular: Rgb::BLACK,
+        shininess: 0.0,
+        transparency: 0.0,
+    })
+}
+
+fn common() -> Common {
+    Common::new(material("main", 2.0))
+}
+
+fn rectangle(corner: DVec3, normal: DVec3, xdir: DVec3, size: f64) -> FinitePlane {
+    FinitePlane::new(common(), corner, normal, xdir, DVec2::splat(size)).expect("a rectangle")
+}
+
+fn ray(origin: DVec3, dir: DVec3) -> Ray {
+    Ray::new(Point::exact(origin), unit(dir).expect("a direction"))
+}
+
+fn distance<T: Scalar>(asked: &dyn Surface, ray: &Ray) -> Option<f64> {
+    let hit = surface::<T>(asked).hits(ray, Span::AHEAD);
+    hit.map(|hit| hit.t)
+}
+
+/// Numbers from −1 to 1 without rhyme, the same on every run (Weyl 1916).
+fn scatter(index: u32) -> [f64; 3] {
+    [2f64.sqrt(), 3f64.sqrt(), 5f64.sqrt()]
+        .map(|root| (f64::from(index) * root).fract() * 2.0 - 1.0)
+}
+
+#[test]
+fn every_shape_is_met_where_the_robust_one_is() {
+    let plane = || {
+        Plane::new(
+            common(),
+            DVec3::new(0.0, -4.0, 0.0),
+            DVec3::new(1.0, 5.0, 2.0),
+        )
+    };
+    let corners = [[-1.0, -3.0, 1.0], [3.0, 2.0, 0.0], [-2.0, 3.0, 3.0]].map(DVec3::from);
+    let scale = DVec3::new(2.0, 0.3, 1.1);
+    let all: [Box<dyn Surface>; 5] = [
+        Box::new(plane().expect("a plane")),
+        Box::new(rectangle(
+            DVec3::splat(-2.0),
+            DVec3::new(1.0, 2.0, 3.0),
+            DVec3::Y,
+            4.0,
+        )),
+        Box::new(Triangle::new(common(), corners).expect("a triangle")),
+        Box::new(Sphere::new(common(), DVec3::X, 1.5, None).expect("a sphere")),
+        Box::new(Ellipsoid::new(common(), DVec3::Y, 1.2, scale, None).expect("an ellipsoid")),
+    ];
+    for robust in &all {
+        let wide = surface::<f64>(&**robust);
+        let narrow = surface::<f32>(&**robust);
+        let mut met = 0;
+        for index in 1..2000 {
+            let ray = ray(
+                DVec3::from(scatter(index)) * 6.0,
+                scatter(index + 7000).into(),
+            );
+            let Some(hit) = robust.hits(&ray, Span::AHEAD.until(50.0)) else {
+                continue;
+            };
+            met += 1;
+            for (classic, rounding) in [(&wide, 1e-9), (&narrow, 1e-2)] {
+                let found = classic.hits(&ray, Span::AHEAD).expect("the same hit");
+                assert!((found.t - hit.t).abs() < rounding, "{robust:?}");
+                assert!((found.point.world() - hit.point.world()).length() < rounding);
+                assert!((found.normal - hit.normal).length() < rounding);
+                assert!((found.uv - hit.uv).length() < rounding);
+            }
+        }
+        assert!(met > 40, "{robust:?} was met {met} times");
+    }
+}
+
+#[test]
+fn a_ray_along_a_plane_misses_it() {
+    let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
+    for height in [0.0, -1.0] {
+        let along = ray(DVec3::new(-5.0, 0.5, height), DVec3::X);
+        assert_eq!(distance::<f64>(&square, &along), None);
+        assert_eq!(distance::<f32>(&square, &along), None);
+    }
+}
+
+/// A10: the point is rounded to the steps of its world coordinates, 1.2e-7 here.
+#[test]
+fn far_from_the_origin_places_are_rounded() {
+    let corner = DVec3::splat(1e9);
+    let square = rectangle(corner, DVec3::Z, DVec3::X, 1.0);
+    let eye = Point {
+        anchor: corner + DVec3::new(0.0, 0.0, 5.0),
+        offset: DVec3::new(0.3, 0.3, 0.0),
+    };
+    let ray = Ray::new(eye, DVec3::NEG_Z);
+    let uv = |asked: &dyn Surface| asked.hits(&ray, Span::AHEAD).expect("a hit").uv;
+    assert_eq!(uv(&square), DVec2::splat(0.3));
+    assert_eq!(
+        uv(&*surface::<f64>(&square)),
+        DVec2::splat(0.299_999_952_316_284_2)
+    );
+    // In 32 bits there are 64 units from one number to the next: the eye is on the square.
+    assert_eq!(distance::<f32>(&square, &ray), None);
+}
+
+/// B4: two rectangles share an edge that is not along an axis; many a ray at the edge meets both,
+/// a few meet none.
+#[test]
+fn shared_edges_overlap_and_gape() {
+    let u = DVec3::new(2.0, 1.0, 2.0) / 3.0;
+    let v = DVec3::new(-2.0, 2.0, 1.0) / 3.0;
+    let corner = DVec3::new(7.3, -4.1, 2.9);
+    let next = corner + DVec3::new(2.0, 1.0, 2.0);
+    let pair = [corner, next].map(|corner| rectangle(corner, u.cross(v), u, 3.0));
+    let pair = pair.each_ref().map(|square| surface::<f64>(square));
+    let mut met = [0; 3];
+    for index in 0..10_000 {
+        let [along, x, y] = scatter(index);
+        let edge = next + v * (1.5 + along);
+        let eye = edge + u.cross(v) * 5.0 + u * x + v * y;
+        let ray = ray(eye, edge - eye);
+        let hits = pair
+            .iter()
+            .filter(|square| square.hits(&ray, Span::AHEAD).is_some());
+        met[hits.count()] += 1;
+    }
+    assert!(met[0] > 0 && met[2] > 100, "{met:?}");
+}
+
+/// G1: far away the discriminant is noise.
+#[test]
+fn far_spheres_are_met_at_random() {
+    let wrong = |far: f64, classic: fn(&dyn Surface, &Ray) -> Option<f64>| {
+        let sphere = Sphere::new(common(), DVec3::ZERO, 1.0, None).expect("a sphere");
+        let rays = (0..2000).map(|index| {
+            let [x, y, _] = scatter(index).map(|place| place * 1.5);
+            ray(DVec3::new(x, y, far), DVec3::NEG_Z)
+        });
+        let wrong = rays.filter(|ray| {
+            let robust = sphere.hits(ray, Span::AHEAD);
+            classic(&sphere, ray).is_some() != robust.is_some()
+        });
+        wrong.count()
+    };
+    assert_eq!(wrong(10.0, distance::<f64>), 0);
+    assert!(wrong(1e9, distance::<f64>) > 500);
+    assert!(wrong(10.0, distance::<f32>) < 5);
+    assert!(wrong(1e5, distance::<f32>) > 500);
+}
+
+/// What the offset is for, and why it cannot be smaller: how far away a ray that leaves a rectangle
+/// in a scene of some ten units finds the rectangle again.
+#[test]
+fn the_offset_is_above_the_rounding_of_ordinary_scenes() {
+    /// The sine of the smallest angle between a ray and the rectangle.
+    const ONE_DEGREE: f64 = 0.017_45;
+    fn furthest<T: Scalar>() -> f64 {
+        let mut furthest: f64 = 0.0;
+        let normal = DVec3::new(1.0, 2.0, 3.0);
+        let square = rectangle(DVec3::splat(-9.0), normal, DVec3::X, 18.0);
+        let plane = square.flat().expect("flat");
+        let solid = flat::Plane::<T>::of(plane.point, plane.normal);
+        for index in 0..20_000 {
+            let eye = DVec3::from(scatter(index)) * 10.0;
+            let dir = direction(DVec3::from(scatter(index + 30_000)));
+            let there = surface::<T>(&square).hits(&ray(eye, dir), Span::AHEAD);
+            let Some(hit) = there.filter(|_| dir.dot(plane.normal).abs() > ONE_DEGREE) else {
+                continue;
+            };
+            let mirrored = Ray::new(hit.point, ray(eye, dir).mirrored(plane.normal));
+            let again = solid.meets(&Line::of(&mirrored), |_| true);
+            furthest = furthest.max(again.map_or(0.0, |again| again.t.wide()));
+        }
+        furthest
+    }
+    let (wide, narrow) = (furthest::<f64>(), furthest::<f32>());
+    assert!(
+        wide > 1e-13 && wide < <f64 as Scalar>::OFFSET.wide(),
+        "{wide:e}"
+    );
+    assert!(
+        narrow > 1e-5 && narrow < <f32 as Scalar>::OFFSET.wide(),
+        "{narrow:e}"
+    );
+}
+
+/// A5, B19: a ray does not meet again what it leaves, nor what is nearer than the offset.
+#[test]
+fn what_is_nearer_than_the_offset_is_not_seen() {
+    let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
+    let from = |height: f64| ray(DVec3::new(0.5, 0.5, height), DVec3::NEG_Z);
+    assert_eq!(distance::<f64>(&square, &from(0.0)), None);
+    assert_eq!(distance::<f64>(&square, &from(5e-10)), None);
+    assert_eq!(distance::<f64>(&square, &from(2e-9)), Some(2e-9));
+    assert_eq!(distance::<f32>(&square, &from(5e-5)), None);
+    assert!(distance::<f32>(&square, &from(2e-4)).is_some());
+    assert_eq!(
+        square.hits(&from(5e-10), Span::AHEAD).map(|hit| hit.t),
+        Some(5e-10)
+    );
+}
+
+/// E5, E6: what is behind a light or at it casts no shadow; what is before it does, from both
+/// sides.
+#[test]
+fn a_shadow_lies_between_the_ends() {
+    let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
+    let classic = surface::<f64>(&square);
+    let occludes = |from: f64, to: f64| {
+        let at = |height: f64| DVec3::new(0.5, 0.5, height);
+        let segment = Segment::new(None, Point::exact(at(from)), at(to)).expect("a segment");
+        classic.occludes(&segment)
+    };
+    assert!(occludes(1.0, -1.0) && occludes(-1.0, 1.0));
+    assert!(!occludes(1.0, 0.5) && !occludes(1.0, 0.0) && !occludes(0.0, 1.0));
+    assert!(!occludes(1.0, -5e-10) && square_is_between(&square));
+}
+
+fn square_is_between(square: &FinitePlane) -> bool {
+    let (start, end) = (DVec3::new(0.5, 0.5, 1.0), DVec3::new(0.5, 0.5, -5e-10));
+    let segment = Segment::new(None, Point::exact(start), end).expect("a segment");
+    square.occludes(&segment)
+}
+
+/// The determinant of a triangle has the unit of an area: small ones are never met.
+#[test]
+fn small_triangles_vanish() {
+    let triangle = |size: f64| {
+        let corners = [DVec3::ZERO, DVec3::X * size, DVec3::Y * size];
+        Triangle::new(common(), corners).expect("a triangle")
+    };
+    let at = |size: f64| ray(DVec3::new(size / 4.0, size / 4.0, 1.0), DVec3::NEG_Z);
+    for (size, seen) in [(1e-7, true), (1e-9, false)] {
+        assert_eq!(distance::<f64>(&triangle(size), &at(size)).is_some(), seen);
+        assert!(triangle(size).hits(&at(size), Span::AHEAD).is_some());
+    }
+    assert_eq!(distance::<f32>(&triangle(1e-4), &at(1e-4)), None);
+}
+
+#[test]
+fn tiles_alternate_as_the_robust_ones_do() {
+    for start in [TileStart::Point, TileStart::Course] {
+        let plane = Plane::new(common(), DVec3::new(0.3, 0.0, 0.1), DVec3::Y).expect("a plane");
+        let tile = DVec2::new(1.5, 0.5);
+        let tiled = TiledPlane::new(plane, DVec3::X, tile, start, material("other", 3.0));
+        let tiled = tiled.expect("tiles");
+        for index in 0..1000 {
+            let [x, z, _] = scatter(index).map(|place| place * 20.0);
+            let down = ray(DVec3::new(x, 1.0, z), DVec3::NEG_Y);
+            let ambient = |asked: &dyn Surface| {
+                let hit = asked.hits(&down, Span::AHEAD).expect("a hit");
+                asked.getamb(&hit)
+            };
+            assert_eq!(
+                ambient(&tiled),
+                ambient(&*surface::<f64>(&tiled)),
+                "{start:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_formula_gets_the_offset_from_the_point() {
+    let plane = Plane::new(common(), DVec3::new(5.0, 4.0, -1.0), DVec3::Z).expect("a plane");
+    let wheel = ProceduralPlane::new(plane, Shader::ColorWheel);
+    let ahead = ray(DVec3::new(7.0, 4.5, 3.0), DVec3::NEG_Z);
+    let ambient = |asked: &dyn Surface| {
+        let hit = asked.hits(&ahead, Span::AHEAD).expect("a hit");
+        asked.getamb(&hit)
+    };
+    assert_eq!(ambient(&wheel), ambient(&*surface::<f64>(&wheel)));
+}
+
+/// A surface of which nothing is known but its own `hits`.
+#[derive(Debug)]
+struct Unknown(Plane);
+
+impl Surface for Unknown {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        self.0.hits(ray, span)
+    }
+
+    fn common(&self) -> &Common {
+        self.0.common()
+    }
+
+    fn describe(&self) -> Node {
+        self.0.describe()
+    }
+}
+
+#[test]
+fn an_unknown_surface_keeps_its_own_way_but_for_the_offset() {
+    let plane = Plane::new(common(), DVec3::ZERO, DVec3::Y).expect("a plane");
+    let unknown = Unknown(plane);
+    let from = |height: f64| ray(DVec3::new(0.0, height, 0.0), DVec3::NEG_Y);
+    assert_eq!(distance::<f64>(&unknown, &from(1.0)), Some(1.0));
+    assert_eq!(distance::<f64>(&unknown, &from(5e-10)), None);
+    let segment = |to: f64| {
+        let start = Point::exact(DVec3::Y);
+        Segment::new(None, start, DVec3::new(0.0, to, 0.0)).expect("a segment")
+    };
+    assert!(surface::<f64>(&unknown).occludes(&segment(-1.0)));
+    assert!(!surface::<f64>(&unknown).occludes(&segment(0.0)));
+}
+
+#[test]
+fn robust_surfaces_are_left_alone() {
+    let all: [Box<dyn Surface>; 1] = [Box::new(
+        Plane::new(common(), DVec3::ZERO, DVec3::Y).expect("a plane"),
+    )];
+    assert!(surfaces(&all, Numerics::Robust).is_none());
+    for numerics in [Numerics::Classic, Numerics::ClassicF32] {
+        let classic = surfaces(&all, numerics).expect("other surfaces");
+        assert_eq!(classic[0].describe(), all[0].describe());
+        assert_eq!(classic[0].common(), all[0].common());
+    }
+}
