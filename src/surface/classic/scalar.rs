@@ -11,13 +11,12 @@ pub trait Scalar: Float + Debug + Send + Sync + 'static {
     /// A ray that leaves a surface finds it again at a distance that is mere rounding, so the
     /// classic algorithm ignores what is nearer than this. Smaller, and surfaces shadow and mirror
     /// themselves in specks; larger, and what really is near is lost: contact shadows, thin gaps,
-    /// and everything in a scene whose unit of length is large. No number is right for all scenes,
-    /// for it is absolute and rounding is relative to the coordinates: it is gone where the
-    /// coordinates reach 10⁶ or so.
+    /// all of a scene whose unit of length is large. No number is right for every scene, since this
+    /// one is absolute and rounding grows with the coordinates.
     ///
-    /// These are the smallest that are in common use. In `f64`, where programs have from 10⁻³ to
-    /// 10⁻⁹, rounding at coordinates of about 10 is 10⁻¹⁵, and at a grazing ray 10⁻¹². In `f32`,
-    /// where programs have 10⁻³ or 10⁻⁴, it is 10⁻⁶ and 10⁻⁴.
+    /// These are the smallest in common use. Where coordinates are about 10 and a ray leaves a
+    /// plane at an angle of one degree, rounding is 10⁻¹³ in `f64`, for which programs have from
+    /// 10⁻³ to 10⁻⁹; it is near 10⁻⁴ in `f32`, for which they have 10⁻³ or 10⁻⁴.
     const OFFSET: Self;
 
     /// The determinant of a ray and a triangle's edges below which the ray counts as parallel.

@@ -124,8 +124,7 @@ fn far_from_the_origin_places_are_rounded() {
     assert_eq!(distance::<f32>(&square, &ray), None);
 }
 
-/// B4: two rectangles share an edge that is not along an axis; many a ray at the edge meets both,
-/// a few meet none.
+/// B4: of rays at the edge that two slanted rectangles share, a fifth meets none, and some meet both.
 #[test]
 fn shared_edges_overlap_and_gape() {
     let u = DVec3::new(2.0, 1.0, 2.0) / 3.0;
@@ -145,7 +144,7 @@ fn shared_edges_overlap_and_gape() {
             .filter(|square| square.hits(&ray, Span::AHEAD).is_some());
         met[hits.count()] += 1;
     }
-    assert!(met[0] > 0 && met[2] > 100, "{met:?}");
+    assert!(met[0] > 100 && met[2] > 10, "{met:?}");
 }
 
 /// G1: far away the discriminant is noise.
@@ -169,36 +168,26 @@ fn far_spheres_are_met_at_random() {
     assert!(wrong(1e5, distance::<f32>) > 500);
 }
 
-/// What the offset is for, and why it cannot be smaller: how far away a ray that leaves a rectangle
-/// in a scene of some ten units finds the rectangle again.
+/// What the offset is for, and why it cannot be much smaller: how far away a ray that leaves a
+/// plane in a scene of some ten units finds it again, at an angle of one degree.
 #[test]
 fn the_offset_is_above_the_rounding_of_ordinary_scenes() {
-    /// The sine of the smallest angle between a ray and the rectangle.
-    const ONE_DEGREE: f64 = 0.017_45;
     fn furthest<T: Scalar>() -> f64 {
-        let mut furthest: f64 = 0.0;
-        let normal = DVec3::new(1.0, 2.0, 3.0);
-        let square = rectangle(DVec3::splat(-9.0), normal, DVec3::X, 18.0);
-        let plane = square.flat().expect("flat");
-        let solid = flat::Plane::<T>::of(plane.point, plane.normal);
-        for index in 0..20_000 {
-            let eye = DVec3::from(scatter(index)) * 10.0;
-            let dir = direction(DVec3::from(scatter(index + 30_000)));
-            let there = surface::<T>(&square).hits(&ray(eye, dir), Span::AHEAD);
-            let Some(hit) = there.filter(|_| dir.dot(plane.normal).abs() > ONE_DEGREE) else {
-                continue;
-            };
-            let mirrored = Ray::new(hit.point, ray(eye, dir).mirrored(plane.normal));
-            let again = solid.meets(&Line::of(&mirrored), |_| true);
-            furthest = furthest.max(again.map_or(0.0, |again| again.t.wide()));
-        }
-        furthest
+        let (sine, cosine) = (0.017_452, 0.999_848);
+        let again = (0..20_000).filter_map(|index| {
+            let normal = direction(scatter(index).into());
+            let along = direction(normal.cross(DVec3::new(0.3, 0.5, 0.7)));
+            let point = DVec3::from(scatter(index + 1)) * 10.0;
+            let plane = flat::Plane::<T>::of(point, normal);
+            let dir = direction(along * cosine - normal * sine);
+            let there = plane.meets(&Line::of(&ray(point - dir * 3.0, dir)), |_| true)?;
+            let mirrored = ray(there.point.wide(), along * cosine + normal * sine);
+            Some(plane.meets(&Line::of(&mirrored), |_| true)?.t.wide())
+        });
+        again.fold(0.0, f64::max)
     }
     let (wide, narrow) = (furthest::<f64>(), furthest::<f32>());
-    assert!(
-        wide > 1e-13 && wide < <f64 as Scalar>::OFFSET.wide(),
-        "{wide:e}"
-    );
+    assert!(wide > 5e-14 && wide < <f64 as Scalar>::OFFSET, "{wide:e}");
     assert!(
         narrow > 1e-5 && narrow < <f32 as Scalar>::OFFSET.wide(),
         "{narrow:e}"
