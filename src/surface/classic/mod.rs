@@ -7,7 +7,7 @@
 //! it leaves: hits nearer than [`Scalar::OFFSET`] do not count.
 //!
 //! That is what ray tracers do, written with care, and good in most pictures. Where it is not,
-//! `tests` below says so.
+//! `tests/weaknesses.rs` says so.
 
 mod flat;
 mod lookup;
