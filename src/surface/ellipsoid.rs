@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Hit, Shape, Sphere, Surface, globe, sphere::enters};
+use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe, sphere::enters};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
@@ -128,12 +128,12 @@ impl Surface for Ellipsoid {
         &self.common
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
         let shape = Shape::Ellipsoid {
             center: self.center,
             axes: self.axes,
         };
-        Some(globe::blueprint(shape, self.image.as_ref()))
+        Some(globe::anatomy(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

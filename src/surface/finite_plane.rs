@@ -14,7 +14,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Hit, Shape, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Rectangle, Segment, Span};
 
@@ -110,9 +110,9 @@ impl Surface for FinitePlane {
         &self.common
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
         let Rectangle { flat, frame, size } = self.rectangle;
-        Some(Blueprint::plain(Shape::Rectangle {
+        Some(Anatomy::plain(Shape::Rectangle {
             corner: flat.point,
             axes: [frame.x, frame.y, flat.normal],
             size,

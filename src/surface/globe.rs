@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Cover, Shape};
+use super::{Anatomy, Cover, Shape};
 use crate::language::{Attribute, Node, Reference, Takes};
 use crate::math::Rgb;
 use crate::texture::TextureMap;
@@ -41,8 +41,8 @@ pub(super) fn describe(node: Node, image: Option<&TextureMap>) -> Node {
     }
 }
 
-/// The blueprint of a round thing, with the image around it if there is one.
-pub(super) fn blueprint(shape: Shape, image: Option<&TextureMap>) -> Blueprint<'_> {
-    let plain = Blueprint::plain(shape);
+/// The anatomy of a round thing, with the image around it if there is one.
+pub(super) fn anatomy(shape: Shape, image: Option<&TextureMap>) -> Anatomy<'_> {
+    let plain = Anatomy::plain(shape);
     image.map_or(plain, |image| plain.covered(Cover::Globe(image)))
 }

@@ -1,6 +1,6 @@
 //! What a ray can hit. **The heart**: [`Surface`] is what the tracer calls on the boxed objects.
 
-mod blueprint;
+mod anatomy;
 pub mod classic;
 mod common;
 mod globe;
@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 use crate::language::{Node, Schema};
 use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
 
-pub use blueprint::{Blueprint, Cover, Shape};
+pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
 pub use procedural_plane::Shader;
 pub use tiled_plane::TileStart;
@@ -85,7 +85,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// The surface in plain numbers, from which [`classic`] makes it anew; a surface without one
     /// is always asked itself.
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
         None
     }
 

@@ -12,7 +12,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Hit, Shape, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Segment, Span};
 
@@ -86,8 +86,8 @@ impl Surface for Plane {
         &self.common
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
-        Some(Blueprint::plain(Shape::Plane {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(Anatomy::plain(Shape::Plane {
             point: self.flat.point,
             normal: self.flat.normal,
         }))

@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Blueprint, Common, Cover, Hit, Plane, Surface};
+use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Naming, Node, Schema, Takes};
 use crate::math::{Flat, Ray, Rgb, Segment, Span};
 
@@ -106,8 +106,8 @@ impl Surface for ProceduralPlane {
         self.plane.common()
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
-        Some(self.plane.blueprint()?.covered(Cover::Own))
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Own))
     }
 
     fn describe(&self) -> Node {

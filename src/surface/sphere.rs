@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Hit, Shape, Surface, globe};
+use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
@@ -114,12 +114,12 @@ impl Surface for Sphere {
         &self.common
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
         let shape = Shape::Sphere {
             center: self.center,
             radius: self.radius,
         };
-        Some(globe::blueprint(shape, self.image.as_ref()))
+        Some(globe::anatomy(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

@@ -15,7 +15,7 @@
 
 use glam::DVec3;
 
-use super::{Blueprint, Common, Cover, FinitePlane, Hit, Surface};
+use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::{Flat, Ray, Rgb, Segment, Span};
 use crate::texture::{TextureMap, Wrap};
@@ -108,8 +108,8 @@ impl Surface for TexturePlane {
         self.plane.common()
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
-        Some(self.plane.blueprint()?.covered(Cover::Image(&self.image)))
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Image(&self.image)))
     }
 
     fn describe(&self) -> Node {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Cover, Hit, Plane, Surface};
+use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
 use crate::material::Material;
 use crate::math::{Flat, Frame, Ray, Rgb, Segment, Span};
@@ -161,8 +161,8 @@ impl Surface for TiledPlane {
         self.plane.common()
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
-        Some(self.plane.blueprint()?.covered(Cover::Tiles {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Tiles {
             axes: [self.frame.x, self.frame.y],
             tile: self.tile,
             start: self.start,

@@ -13,7 +13,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Blueprint, Common, Hit, Shape, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::{Flat, Ray, Segment, Span};
 
@@ -103,8 +103,8 @@ impl Surface for Triangle {
         &self.common
     }
 
-    fn blueprint(&self) -> Option<Blueprint<'_>> {
-        Some(Blueprint::plain(Shape::Triangle {
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(Anatomy::plain(Shape::Triangle {
             vertices: self.vertices,
             normal: self.flat.normal,
         }))

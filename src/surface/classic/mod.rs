@@ -23,9 +23,9 @@ pub use scalar::Scalar;
 
 use glam::DVec3;
 
-use super::{Blueprint, Common, Hit, Shape, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::Node;
-use crate::math::{Bounds, Flat, Numerics, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Bounds, Numerics, Point, Ray, Rgb, Segment, Side, Span};
 use other::Other;
 use paint::Paint;
 use solid::Solid;
@@ -47,32 +47,32 @@ pub fn surfaces(
 
 /// The classic form of one surface.
 fn surface<T: Scalar>(surface: &dyn Surface) -> Box<dyn Surface + '_> {
-    let Some(blueprint) = surface.blueprint() else {
+    let Some(anatomy) = surface.anatomy() else {
         return Box::new(Other::<T>::of(surface));
     };
-    match blueprint.shape {
+    match anatomy.shape {
         Shape::Plane { point, normal } => {
-            Classic::boxed(surface, &blueprint, flat::Plane::<T>::of(point, normal))
+            Classic::boxed(surface, &anatomy, flat::Plane::<T>::of(point, normal))
         }
         Shape::Rectangle { corner, axes, size } => {
             let rectangle = flat::Rectangle::<T>::of(corner, axes, size);
-            Classic::boxed(surface, &blueprint, rectangle)
+            Classic::boxed(surface, &anatomy, rectangle)
         }
         Shape::Triangle { vertices, normal } => {
             let triangle = triangle::Triangle::<T>::of(vertices, normal);
-            Classic::boxed(surface, &blueprint, triangle)
+            Classic::boxed(surface, &anatomy, triangle)
         }
         Shape::Sphere { center, radius } => {
-            Classic::boxed(surface, &blueprint, round::Sphere::<T>::of(center, radius))
+            Classic::boxed(surface, &anatomy, round::Sphere::<T>::of(center, radius))
         }
         Shape::Ellipsoid { center, axes } => {
             let ellipsoid = round::Ellipsoid::<T>::of(center, axes);
-            Classic::boxed(surface, &blueprint, ellipsoid)
+            Classic::boxed(surface, &anatomy, ellipsoid)
         }
     }
 }
 
-/// A surface that is asked in the classic way.
+/// A surface that is asked in the classic way; what only robust numerics ask it does not answer.
 #[derive(Debug)]
 struct Classic<'a, T, S> {
     surface: &'a dyn Surface,
@@ -84,14 +84,14 @@ struct Classic<'a, T, S> {
 impl<'a, T: Scalar, S: Solid<T> + 'a> Classic<'a, T, S> {
     fn boxed(
         surface: &'a dyn Surface,
-        blueprint: &Blueprint<'a>,
+        anatomy: &Anatomy<'a>,
         solid: S,
     ) -> Box<dyn Surface + 'a> {
         Box::new(Self {
             surface,
             common: surface.common(),
             solid,
-            paint: Paint::of(&blueprint.cover, &blueprint.shape),
+            paint: Paint::of(&anatomy.cover, &anatomy.shape),
         })
     }
 }
@@ -120,27 +120,11 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         self.surface.describe()
     }
 
-    fn flat(&self) -> Option<Flat> {
-        self.surface.flat()
-    }
-
-    fn round(&self) -> Option<[DVec3; 2]> {
-        self.surface.round()
-    }
-
-    fn outline(&self) -> Vec<DVec3> {
-        self.surface.outline()
-    }
-
     fn bounds(&self) -> Option<Bounds> {
         self.surface.bounds()
     }
 
-    fn side(&self, point: &Point) -> Side {
-        self.surface.side(point)
-    }
-
-    fn occludes(&self, segment: &Segment) -> bool {
+    fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         let end = T::of(segment.length) - T::OFFSET;
         let counts = |t: T| t > T::OFFSET && t < end && segment.span.contains(t.wide());
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()

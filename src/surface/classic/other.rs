@@ -1,12 +1,10 @@
-//! Surfaces that give no blueprint.
+//! Surfaces that give no anatomy.
 
 use std::marker::PhantomData;
 
-use glam::DVec3;
-
 use super::Scalar;
 use crate::language::Node;
-use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Bounds, Ray, Rgb, Segment, Side, Span};
 use crate::surface::{Common, Hit, Surface};
 
 /// A surface that keeps its own way to find hits; only the offset is the classic one.
@@ -38,27 +36,11 @@ impl<T: Scalar> Surface for Other<'_, T> {
         self.surface.describe()
     }
 
-    fn flat(&self) -> Option<Flat> {
-        self.surface.flat()
-    }
-
-    fn round(&self) -> Option<[DVec3; 2]> {
-        self.surface.round()
-    }
-
-    fn outline(&self) -> Vec<DVec3> {
-        self.surface.outline()
-    }
-
     fn bounds(&self) -> Option<Bounds> {
         self.surface.bounds()
     }
 
-    fn side(&self, point: &Point) -> Side {
-        self.surface.side(point)
-    }
-
-    fn occludes(&self, segment: &Segment) -> bool {
+    fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         let before = segment.span.until(segment.length - T::OFFSET.wide());
         self.hits(&segment.ray, before).is_some()
     }

@@ -34,6 +34,8 @@ impl<T: Scalar> Meeting<T> {
         let [x, y] = self.lasthit;
         Hit {
             t: self.t.wide(),
+            // The classic algorithm does not know its errors: what is computed decides.
+            error: 0.0,
             point: Point::exact(self.point.wide()),
             normal: self.normal.wide(),
             uv: DVec2::new(x.wide(), y.wide()),

@@ -7,7 +7,7 @@ use crate::texture::TextureMap;
 
 /// A shape and what covers it.
 #[derive(Debug, Clone, Copy)]
-pub struct Blueprint<'a> {
+pub struct Anatomy<'a> {
     /// Where the surface is.
     pub shape: Shape,
     /// What is seen on it.
@@ -93,7 +93,7 @@ pub enum Cover<'a> {
     Own,
 }
 
-impl<'a> Blueprint<'a> {
+impl<'a> Anatomy<'a> {
     /// A shape that shows its material.
     #[must_use]
     pub fn plain(shape: Shape) -> Self {
