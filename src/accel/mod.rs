@@ -1,96 +1,121 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
+mod shadows;
 mod supports;
 
+pub use shadows::LightView;
 pub use supports::supports;
 
-use crate::math::{Ray, Rgb, Segment, Span, Support};
+use std::cmp::Ordering;
+
+use crate::math::{Decisions, Ray, Span, Support};
 use crate::surface::{Hit, Surface};
 
 /// The surfaces of a scene in file order: every one is asked.
 #[derive(Debug)]
 pub struct SurfaceList<'a> {
-    /// Each surface with the sheet that it lies on; without one, a ray that leaves the surface asks
-    /// it again.
-    entries: Vec<(&'a dyn Surface, Option<Support>)>,
+    entries: Vec<Entry<'a>>,
+}
+
+/// A surface of a list.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry<'a> {
+    /// The surface.
+    pub surface: &'a dyn Surface,
+    /// The sheet that it lies on; `None` if rays may meet it again where they leave it.
+    pub support: Option<Support>,
+    /// Its place in the list.
+    pub index: usize,
 }
 
 impl<'a> SurfaceList<'a> {
-    /// A list of these surfaces.
+    /// A list of these surfaces, which rays do not meet again where they leave them.
     #[must_use]
     pub fn new(surfaces: &'a [Box<dyn Surface>]) -> Self {
-        let all = surfaces.iter().map(AsRef::as_ref);
-        Self {
-            entries: all.zip(supports(surfaces).into_iter().map(Some)).collect(),
-        }
+        let supports = supports(surfaces).into_iter().map(Some);
+        Self::of(surfaces, supports)
     }
 
-    /// A list of surfaces that themselves keep a ray from meeting the one that it leaves.
+    /// A list of surfaces that rays may meet again where they leave them; they have to see to it
+    /// themselves.
     #[must_use]
     pub fn without_sheets(surfaces: &'a [Box<dyn Surface + 'a>]) -> Self {
-        let all = surfaces.iter().map(AsRef::as_ref);
+        Self::of(surfaces, std::iter::repeat(None))
+    }
+
+    fn of(
+        surfaces: &'a [Box<dyn Surface + 'a>],
+        supports: impl Iterator<Item = Option<Support>>,
+    ) -> Self {
+        let surfaces = surfaces.iter().map(AsRef::as_ref).enumerate();
+        let entries = surfaces.zip(supports);
         Self {
-            entries: all.map(|surface| (surface, None)).collect(),
+            entries: entries
+                .map(|((index, surface), support)| Entry {
+                    surface,
+                    support,
+                    index,
+                })
+                .collect(),
         }
     }
 
-    /// The surface that a ray meets first, with the sheet that it lies on.
-    ///
-    /// Of surfaces on the same sheet the first in the file wins.
+    /// The surfaces with their sheets.
     #[must_use]
-    pub fn nearest(
-        &self,
-        ray: &Ray,
-        span: Span,
-    ) -> Option<(&'a dyn Surface, Option<Support>, Hit)> {
-        let mut best: Option<(&'a dyn Surface, Option<Support>, Hit)> = None;
+    pub fn entries(&self) -> &[Entry<'a>] {
+        &self.entries
+    }
+
+    /// The surface that a ray meets first.
+    ///
+    /// Of equally near ones the first in the file wins.
+    #[must_use]
+    pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&Entry<'a>, Hit)> {
+        let mut best: Option<(&Entry<'a>, Hit)> = None;
         let mut span = span;
-        for &(surface, support) in &self.entries {
-            if support.is_some() && ray.leaves == support {
+        for entry in &self.entries {
+            if entry.is_left_by(ray) {
                 continue;
             }
-            let Some(hit) = surface.hits(ray, span) else {
+            let Some(hit) = entry.surface.hits(ray, span) else {
                 continue;
             };
-            if best.as_ref().is_some_and(|(_, best_support, best_hit)| {
-                hit.t >= best_hit.t || (support.is_some() && support == *best_support)
-            }) {
+            if best.is_some_and(|(first, first_hit)| !entry.is_before(&hit, first, &first_hit, ray))
+            {
                 continue;
             }
-            span = span.until(hit.t);
-            best = Some((surface, support, hit));
+            span = span.until(hit.t + hit.error);
+            best = Some((entry, hit));
         }
         best
     }
+}
 
-    /// The share of a light's colour that passes along a segment to it.
-    ///
-    /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
-    /// the first in the file counts.
+impl Entry<'_> {
+    /// Whether a ray starts on this surface's sheet.
     #[must_use]
-    pub fn transmittance(&self, segment: &Segment) -> Rgb {
-        let mut passed = Rgb::WHITE;
-        let mut crossed: Vec<Support> = Vec::new();
-        for &(surface, support) in &self.entries {
-            let leaves = support.is_some() && segment.ray.leaves == support;
-            if leaves || !surface.occludes(segment) {
-                continue;
-            }
-            if support.is_some_and(|support| crossed.contains(&support)) {
-                continue;
-            }
-            let common = surface.common();
-            if !common.shadows.cast {
-                continue;
-            }
-            if common.material.transparency == 0.0 {
-                return Rgb::BLACK;
-            }
-            crossed.extend(support);
-            if let Some(hit) = surface.hits(&segment.ray, segment.span) {
-                passed = passed * surface.transmits(&hit);
-            }
+    pub fn is_left_by(&self, ray: &Ray) -> bool {
+        self.support.is_some_and(|support| ray.leaves(support))
+    }
+
+    /// Whether a hit of this surface is nearer than that of one before it in the file.
+    fn is_before(&self, hit: &Hit, first: &Entry<'_>, first_hit: &Hit, ray: &Ray) -> bool {
+        if self.support.is_some() && self.support == first.support {
+            return false;
         }
-        passed
+        let error = hit.error + first_hit.error;
+        let nearer = first_hit.t - hit.t;
+        if nearer.abs() > error {
+            return nearer > 0.0;
+        }
+        let distance = self.surface.exact_distance(ray);
+        match distance.zip(first.surface.exact_distance(ray)) {
+            Some((distance, first_distance)) => {
+                let order = distance.compare(&first_distance);
+                Decisions::exact(order == Ordering::Equal);
+                order == Ordering::Less
+            }
+            None => nearer > 0.0,
+        }
     }
 }

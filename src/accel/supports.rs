@@ -2,35 +2,33 @@
 
 use std::collections::HashMap;
 
+use glam::DVec3;
+
 use crate::math::Support;
 use crate::surface::Surface;
 
-/// What makes two sheets one: the bits of a plane's equation, or of a centre and half axes.
-#[derive(Debug, PartialEq, Eq, Hash)]
-enum Sheet {
-    Flat([u64; 4]),
-    Round([[u64; 3]; 2]),
-}
-
 /// The sheet that each surface lies on: surfaces in one plane share it, and so do round ones of
 /// the same shape in the same place; every other has its own.
+///
+/// What makes two sheets one are the bits of the numbers that decide: a plane's point and
+/// normal, which surfaces in one plane share since they were loaded, or a centre and half axes.
 #[must_use]
 pub fn supports(surfaces: &[Box<dyn Surface>]) -> Vec<Support> {
-    let mut known: HashMap<Sheet, Support> = HashMap::new();
+    let mut known: HashMap<(bool, [[u64; 3]; 2]), Support> = HashMap::new();
     let numbered = (0u32..).map(Support).zip(surfaces);
     numbered
-        .map(|(own, surface)| match sheet(&**surface) {
-            Some(sheet) => *known.entry(sheet).or_insert(own),
-            None => own,
+        .map(|(own, surface)| {
+            let flat = surface.flat().map(|flat| (true, flat.decisive()));
+            let round = surface.round().map(|round| (false, round));
+            let sheet = flat.or(round);
+            sheet.map_or(own, |(flat, vectors)| {
+                *known.entry((flat, vectors.map(bits))).or_insert(own)
+            })
         })
         .collect()
 }
 
-fn sheet(surface: &dyn Surface) -> Option<Sheet> {
-    if let Some(flat) = surface.flat() {
-        return Some(Sheet::Flat(flat.equation().map(f64::to_bits)));
-    }
+fn bits(vector: DVec3) -> [u64; 3] {
     // Adding zero turns −0 into +0, which is the same place.
-    let bits = |vector: glam::DVec3| (vector + glam::DVec3::ZERO).to_array().map(f64::to_bits);
-    surface.round().map(|round| Sheet::Round(round.map(bits)))
+    (vector + DVec3::ZERO).to_array().map(f64::to_bits)
 }

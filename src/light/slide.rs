@@ -41,7 +41,7 @@ impl Slide {
     /// The colour of the slide where light from the lamp crosses it; `None` if it does not.
     #[must_use]
     pub fn color(&self, lamp: Point, direction: DVec3) -> Option<Rgb> {
-        let (_, offset) = self
+        let (_, _, offset) = self
             .rectangle
             .hits(&Ray::new(lamp, direction), Span::AHEAD)?;
         Some(self.image.at(offset))

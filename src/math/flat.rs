@@ -2,17 +2,22 @@
 
 use glam::DVec3;
 
-use super::{Point, Ray, Segment, Span, unit};
+use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
+use super::exact::{Distance, ExactVector, RationalVector, Sign};
+use super::{Decisions, Point, Ray, Segment, Span};
 use crate::language::Refusal;
 
 /// A plane through a point, with a unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flat {
-    /// A point in the plane.
+    /// A point in the plane, from which heights above it are computed.
     pub point: DVec3,
     /// The unit normal, on the plane's front side.
     pub normal: DVec3,
-    equation: [f64; 4],
+    /// The point from which heights are *decided*: that of the first surface in this plane.
+    base: DVec3,
+    /// How far at most `point` lies from the plane through `base`, and what underflow can add.
+    slack: f64,
 }
 
 /// The side of a surface that a point is on.
@@ -26,86 +31,204 @@ pub enum Side {
     Back,
 }
 
-/// Where a line crosses a plane, not yet divided: `t = height / slope`.
+/// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing {
     /// From the plane's point to the ray's origin.
     pub origin: DVec3,
+    /// What bounds the rounding of `origin`; see [`Point::seen_from`].
+    pub size: f64,
     /// How far the origin lies behind the plane, along the normal: `N = −n·c`.
     pub height: f64,
     /// How much the ray rises along the normal per unit of `t`: `D = n·d`.
     pub slope: f64,
+    /// Whether the ray rises along the normal; the sign of the slope, for certain.
+    pub rises: bool,
+    /// How far at most the height is from the true one.
+    pub doubt: f64,
 }
 
 impl Flat {
     /// A plane through `point` with a normal of any length but zero.
     ///
+    /// The normal is made unit exactly and rounded once.
+    ///
     /// # Errors
     /// Refuses a zero normal.
     pub fn new(point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
-        let equation = equation(point, normal);
-        let normal = unit(normal).ok_or_else(|| {
-            Refusal::new(
+        let unit = RationalVector::of_decimals(normal).unit();
+        if unit == DVec3::ZERO {
+            return Err(Refusal::new(
                 "normal",
                 "the normal is zero",
                 "a normal is the direction that the surface faces, such as 0 1 0 for a floor",
             )
-            .expected("expected a direction of any length but zero")
-        })?;
-        Ok(Self {
-            point,
-            normal,
-            equation,
-        })
+            .expected("expected a direction of any length but zero"));
+        }
+        Ok(Self::with_unit_normal(point, unit))
     }
 
-    /// The plane's equation: the same four numbers for both of its sides, and for any of its points
-    /// and normals as long as their products are exact, as those of whole numbers are.
+    /// A plane through `point` with a normal that is unit already.
     #[must_use]
-    pub fn equation(&self) -> [f64; 4] {
-        self.equation
+    pub fn with_unit_normal(point: DVec3, normal: DVec3) -> Self {
+        Self {
+            point,
+            normal,
+            base: point,
+            slack: UNDERFLOW,
+        }
+    }
+
+    /// The same plane through the same point, but decided as that of another surface.
+    #[must_use]
+    pub fn welded(&self, to: &Self) -> Self {
+        let turned = self.normal.dot(to.normal) < 0.0;
+        let normal = if turned { -to.normal } else { to.normal };
+        let way = Point::exact(self.point).exactly_from(to.base);
+        let apart = way.dot(&ExactVector::from(normal)).to_f64().abs();
+        Self {
+            point: self.point,
+            normal,
+            base: to.base,
+            // The exact height was rounded once.
+            slack: UNDERFLOW + apart.next_up(),
+        }
+    }
+
+    /// The numbers that decide: the same for every surface in this plane, on either side of it.
+    #[must_use]
+    pub fn decisive(&self) -> [DVec3; 2] {
+        let [x, y, z] = self.normal.to_array();
+        let turned = x < 0.0 || x == 0.0 && (y < 0.0 || y == 0.0 && z < 0.0);
+        // Adding zero turns −0 into +0, which is the same plane.
+        let normal = if turned { -self.normal } else { self.normal } + DVec3::ZERO;
+        [self.base + DVec3::ZERO, normal]
     }
 
     /// The side a point is on.
     #[must_use]
     pub fn side(&self, point: &Point) -> Side {
-        Side::of(self.normal.dot(point.from(self.point)))
+        let (way, size) = point.seen_from(self.point);
+        let height = self.normal.dot(way);
+        if height.abs() > HEIGHT * size + self.slack {
+            Decisions::filtered(1);
+            return Side::of(Sign::of(height));
+        }
+        Side::of(self.exact_side(point))
+    }
+
+    /// The sign of the height of a point above the plane, exactly.
+    fn exact_side(&self, point: &Point) -> Sign {
+        let height = point.exactly_from(self.base).dot(&self.normal.into());
+        Decisions::exact(height.sign() == Sign::Zero);
+        height.sign()
     }
 
     /// Where a segment crosses the plane, if its ends lie strictly on opposite sides; only then
     /// can a surface in this plane stand between them.
+    ///
+    /// `end` is the side that the segment's end is on.
     #[must_use]
-    pub fn separates(&self, segment: &Segment) -> Option<Crossing> {
-        let origin = segment.ray.origin.from(self.point);
-        let height = -self.normal.dot(origin);
-        let end = self.normal.dot(segment.end - self.point);
-        let opposite = (height > 0.0 && end > 0.0) || (height < 0.0 && end < 0.0);
-        opposite.then(|| Crossing {
-            origin,
-            height,
-            slope: self.normal.dot(segment.ray.dir),
-        })
+    pub fn separates(&self, segment: &Segment, end: Side) -> Option<Crossing> {
+        let crossing = self.seen_along(&segment.ray);
+        let start = if crossing.height.abs() > crossing.doubt {
+            Decisions::filtered(1);
+            Sign::of(-crossing.height)
+        } else {
+            self.side_of_origin(&segment.ray)
+        };
+        let rises = match (Side::of(start), end) {
+            (Side::Back, Side::Front) => true,
+            (Side::Front, Side::Back) => false,
+            _ => return None,
+        };
+        Some(Crossing { rises, ..crossing })
     }
 
-    /// Where the line of a ray crosses the plane.
+    /// Where a ray crosses the plane ahead of its origin; a ray along the plane never does.
     #[must_use]
-    pub fn crossing(&self, ray: &Ray) -> Crossing {
-        let origin = ray.origin.from(self.point);
+    pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        let crossing = self.seen_along(ray);
+        if crossing.height.abs() > crossing.doubt && crossing.slope.abs() > SLOPE {
+            Decisions::filtered(2);
+            return (crossing.rises == (crossing.height > 0.0)).then_some(crossing);
+        }
+        self.doubtful_crossing(ray, crossing)
+    }
+
+    /// The line of a ray and the plane, before anything is decided.
+    fn seen_along(&self, ray: &Ray) -> Crossing {
+        let (origin, size) = ray.origin.seen_from(self.point);
+        let slope = self.normal.dot(ray.dir);
         Crossing {
             origin,
+            size,
             height: -self.normal.dot(origin),
-            slope: self.normal.dot(ray.dir),
+            slope,
+            rises: slope > 0.0,
+            doubt: HEIGHT * size + self.slack + ray.rounding(),
         }
     }
 
-    /// The distance at which a ray meets the plane, if it does so ahead and in the span.
+    /// Whether the crossing lies ahead, where rounded values leave doubt.
+    #[cold]
+    fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
+        let exact = ExactVector::from(ray.dir).dot(&self.normal.into());
+        let sign = exact.sign();
+        Decisions::exact(sign == Sign::Zero);
+        let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
+        let rises = sign == Sign::Positive;
+        // A slope so small that no double holds it is still not zero.
+        let steepness = exact.to_f64().abs().max(UNDERFLOW);
+        ahead.then_some(Crossing {
+            rises,
+            slope: if rises { steepness } else { -steepness },
+            ..crossing
+        })
+    }
+
+    /// The side of the plane that a ray starts on.
+    ///
+    /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
+    /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
+    /// one on which that ray started; and if it started within rounding of the plane, the side to
+    /// which it went. So nothing leaks through the edges and corners of a room.
+    #[cold]
+    fn side_of_origin(&self, ray: &Ray) -> Sign {
+        let Some(departure) = ray.departure else {
+            return self.exact_side(&ray.origin);
+        };
+        let (way, size) = ray.origin.seen_from(self.point);
+        let height = self.normal.dot(way);
+        if height.abs() > HEIGHT * size + self.slack + departure.rounding {
+            return Sign::of(height);
+        }
+        let (way, size) = departure.before.seen_from(self.point);
+        let height = self.normal.dot(way);
+        Decisions::exact(true);
+        if height.abs() > HEIGHT * size + self.slack + departure.rounding {
+            return Sign::of(height);
+        }
+        let went = ExactVector::from(departure.arrival).dot(&self.normal.into());
+        went.sign()
+    }
+
+    /// The distance at which a ray meets the plane, exactly.
     #[must_use]
-    pub fn hits(&self, ray: &Ray, span: Span) -> Option<f64> {
-        let crossing = self.crossing(ray);
-        crossing
-            .is_ahead()
-            .then(|| crossing.distance())
-            .filter(|t| span.contains(*t))
+    pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        let normal = ExactVector::from(self.normal);
+        let slope = normal.dot(&ray.dir.into());
+        let height = -&ray.origin.exactly_from(self.base).dot(&normal);
+        (slope.sign() != Sign::Zero).then(|| Distance::quotient(height, slope))
+    }
+
+    /// The distance at which a ray meets the plane, and how far at most it is from the exact one;
+    /// `None` if it does not do so ahead and in the span.
+    #[must_use]
+    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
+        let crossing = self.crossing(ray)?;
+        let t = crossing.distance();
+        span.contains(t).then(|| (t, crossing.error(t)))
     }
 
     /// The point of the plane at distance `t` on a ray that meets it there.
@@ -121,54 +244,38 @@ impl Flat {
     }
 }
 
-/// The coefficients of `n·x = n·p`, divided by the largest one of `n`.
-///
-/// Quotients of equal numbers are equal, so multiples of `n` give the same equation; a unit normal
-/// would not, since its length is rounded.
-fn equation(point: DVec3, normal: DVec3) -> [f64; 4] {
-    let largest = normal.abs().max_element();
-    let (_, exponent) = libm::frexp(largest);
-    // Scaled by a power of two, which is exact and keeps the products in range.
-    let normal = normal * libm::ldexp(1.0, -exponent);
-    let largest = normal.abs().max_element();
-    let [x, y, z] = normal.to_array();
-    let mut components = [x, y, z].into_iter();
-    let pivot = components.find(|component| component.abs() == largest);
-    // Adding zero turns −0 into +0, which is the same plane.
-    [x, y, z, normal.dot(point)].map(|number| number / pivot.unwrap_or(1.0) + 0.0)
-}
-
 impl Side {
-    /// The side that a signed height above a surface stands for.
+    /// The side that the sign of a height above a surface stands for.
     #[must_use]
-    pub fn of(height: f64) -> Self {
-        if height > 0.0 {
-            Self::Front
-        } else if height < 0.0 {
-            Self::Back
-        } else {
-            Self::On
+    pub fn of(height: Sign) -> Self {
+        match height {
+            Sign::Negative => Self::Back,
+            Sign::Zero => Self::On,
+            Sign::Positive => Self::Front,
         }
     }
 }
 
 impl Crossing {
-    /// Whether the crossing lies ahead of the ray's origin; a ray along the plane never crosses.
-    #[must_use]
-    pub fn is_ahead(&self) -> bool {
-        (self.height > 0.0 && self.slope > 0.0) || (self.height < 0.0 && self.slope < 0.0)
-    }
-
-    /// The distance of the crossing.
+    /// The distance of the crossing: above zero, as it lies ahead.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        self.height / self.slope
+        const SMALLEST: f64 = f64::from_bits(1);
+        // Within rounding of the plane, the height can have the wrong sign.
+        (self.height / self.slope).max(SMALLEST)
+    }
+
+    /// How far at most a distance is from the exact one.
+    #[must_use]
+    pub fn error(&self, t: f64) -> f64 {
+        (self.doubt + SLOPE * t) / self.slope.abs() + QUOTIENT * t
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::unit;
 
     fn floor() -> Flat {
         Flat::new(DVec3::ZERO, DVec3::new(0.0, 3.0, 0.0)).expect("a plane")
@@ -179,7 +286,7 @@ mod tests {
             Point::exact(origin.into()),
             unit(dir.into()).expect("a direction"),
         );
-        floor().hits(&ray, Span::AHEAD)
+        floor().hits(&ray, Span::AHEAD).map(|(t, _)| t)
     }
 
     #[test]

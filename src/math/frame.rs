@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::exact::RationalVector;
 use super::unit;
 use crate::language::Refusal;
 
@@ -15,23 +16,33 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The axes of the plane with this unit normal, from any `xdir` that is not along the normal.
+    /// The axes of the plane with this normal, from any `xdir` that is not along the normal.
     ///
-    /// `xdir` is projected into the plane and made unit.
+    /// `xdir` is projected into the plane exactly; both axes are then made unit and rounded once.
     ///
     /// # Errors
-    /// Refuses an `xdir` that is zero or parallel to the normal.
+    /// Refuses an `xdir` that is zero, parallel to the normal, or so nearly parallel that the
+    /// projection is mostly the rounding of its decimals: below 2⁻²⁰ rad, a fifth of a second.
     pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, Refusal> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
         let expected = "expected a direction that is not the normal's";
         let refusal = |reason: &str| Refusal::new("xdir", reason, advice).expected(expected);
-        let xdir = unit(xdir).ok_or_else(|| refusal("xdir is zero"))?;
-        // The cross product vanishes exactly when the two are parallel, before any projection.
-        let across =
-            unit(normal.cross(xdir)).ok_or_else(|| refusal("xdir is parallel to the normal"))?;
+        if xdir == DVec3::ZERO {
+            return Err(refusal("xdir is zero"));
+        }
+        let exact = ExactFrame::new(normal, xdir);
+        if exact.x.is_zero() {
+            return Err(refusal("xdir is parallel to the normal"));
+        }
+        // |n × x|² < 2⁻⁴⁰ |n|² |x|²
+        let across = exact.y.dot(&exact.y) * dashu_ratio::RBig::from(1u64 << 40);
+        let lengths = exact.normal.dot(&exact.normal) * exact.xdir.dot(&exact.xdir);
+        if across < lengths {
+            return Err(refusal("xdir is nearly parallel to the normal"));
+        }
         Ok(Self {
-            x: across.cross(normal),
-            y: across,
+            x: exact.x.unit(),
+            y: exact.y.unit(),
         })
     }
 
@@ -53,14 +64,44 @@ impl Frame {
     }
 }
 
+/// The axes of a plane without rounding, of any length.
+#[derive(Debug, Clone)]
+pub struct ExactFrame {
+    /// The normal as given.
+    pub normal: RationalVector,
+    /// The direction of x as given.
+    pub xdir: RationalVector,
+    /// `xdir` projected into the plane.
+    pub x: RationalVector,
+    /// `normal × xdir`.
+    pub y: RationalVector,
+}
+
+impl ExactFrame {
+    /// The axes that the decimals of a scene mean.
+    #[must_use]
+    pub fn new(normal: DVec3, xdir: DVec3) -> Self {
+        let normal = RationalVector::of_decimals(normal);
+        let xdir = RationalVector::of_decimals(xdir);
+        let y = normal.cross(&xdir);
+        Self {
+            x: y.cross(&normal),
+            y,
+            normal,
+            xdir,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_axes_are_right_angled_and_right_handed() {
-        let normal = unit(DVec3::new(1.0, 2.0, 2.0)).expect("not zero");
-        let frame = Frame::new(normal, DVec3::new(5.0, 1.0, 0.0)).expect("a frame");
+        let given = DVec3::new(1.0, 2.0, 2.0);
+        let normal = unit(given).expect("not zero");
+        let frame = Frame::new(given, DVec3::new(5.0, 1.0, 0.0)).expect("a frame");
         for product in [
             frame.x.dot(frame.y),
             frame.x.dot(normal),

@@ -2,9 +2,14 @@
 //!
 //! The one scalar of the crate is `f64`; vectors are `glam`'s [`glam::DVec3`].
 
+pub(crate) mod band;
+mod blueprint;
 mod bounds;
+mod decisions;
+pub mod exact;
 mod flat;
 mod frame;
+mod line;
 mod numerics;
 mod ray;
 mod rectangle;
@@ -12,11 +17,14 @@ mod rgb;
 mod segment;
 mod vector;
 
+pub use blueprint::{Blueprint, Border};
 pub use bounds::Bounds;
+pub use decisions::Decisions;
 pub use flat::{Crossing, Flat, Side};
-pub use frame::Frame;
+pub use frame::{ExactFrame, Frame};
+pub use line::{Line, inside_all};
 pub use numerics::Numerics;
-pub use ray::{Point, Ray, Span, Support};
+pub use ray::{Departure, Point, Ray, Span, Support};
 pub use rectangle::Rectangle;
 pub use rgb::Rgb;
 pub use segment::Segment;

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use super::vector::direction;
+use super::band::FOOT;
+use super::exact::ExactVector;
+use super::vector::reflected;
 
 /// A point as an exact anchor and a small offset from it.
 ///
@@ -33,6 +35,22 @@ impl Point {
         (self.anchor - other) + self.offset
     }
 
+    /// The vector from a scene point to this one, and the sum of all lengths that went into it,
+    /// which bounds its rounding.
+    #[must_use]
+    pub fn seen_from(&self, other: DVec3) -> (DVec3, f64) {
+        let between = self.anchor - other;
+        let size = between.abs().element_sum() + self.offset.abs().element_sum();
+        (between + self.offset, size)
+    }
+
+    /// The vector from a scene point to this one, exactly.
+    #[must_use]
+    pub fn exactly_from(&self, other: DVec3) -> ExactVector {
+        let between = &ExactVector::from(self.anchor) - &ExactVector::from(other);
+        &between + &ExactVector::from(self.offset)
+    }
+
     /// The point in world coordinates, rounded.
     #[must_use]
     pub fn world(&self) -> DVec3 {
@@ -51,8 +69,36 @@ pub struct Ray {
     pub origin: Point,
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
-    /// The surface sheet it leaves, which it cannot meet again: a line meets a plane once.
-    pub leaves: Option<Support>,
+    /// The surface that it leaves, if it does not start in free space.
+    pub departure: Option<Departure>,
+}
+
+/// What a ray knows of the surface that it leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Departure {
+    /// The surface's sheet, which the ray cannot meet again: a line meets a plane once.
+    pub support: Support,
+    /// How far at most the ray's origin lies from where the ray before it met the surface.
+    pub rounding: f64,
+    /// Where the ray before it started.
+    pub before: Point,
+    /// Where the ray before it went.
+    pub arrival: DVec3,
+}
+
+impl Departure {
+    /// From a surface on this sheet, where a ray met it at this point; the distance that led there
+    /// has this error.
+    #[must_use]
+    pub fn new(support: Support, arriving: &Ray, at: &Point, error: f64) -> Self {
+        let (_, size) = arriving.origin.seen_from(at.anchor);
+        Self {
+            support,
+            rounding: FOOT * (size + at.offset.abs().element_sum()) + 2.0 * error,
+            before: arriving.origin,
+            arrival: arriving.dir,
+        }
+    }
 }
 
 impl Ray {
@@ -62,9 +108,9 @@ impl Ray {
         Self::leaving(None, origin, dir)
     }
 
-    /// A ray that starts on a surface sheet.
+    /// A ray that starts on a surface.
     #[must_use]
-    pub fn leaving(leaves: Option<Support>, origin: Point, dir: DVec3) -> Self {
+    pub fn leaving(departure: Option<Departure>, origin: Point, dir: DVec3) -> Self {
         debug_assert!(
             (dir.length_squared() - 1.0).abs() < 16.0 * f64::EPSILON,
             "{dir} is not unit"
@@ -72,8 +118,20 @@ impl Ray {
         Self {
             origin,
             dir,
-            leaves,
+            departure,
         }
+    }
+
+    /// Whether it starts on this sheet.
+    #[must_use]
+    pub fn leaves(&self, support: Support) -> bool {
+        self.departure.is_some_and(|departure| departure.support == support)
+    }
+
+    /// How far at most its origin lies from where it ought to.
+    #[must_use]
+    pub fn rounding(&self) -> f64 {
+        self.departure.map_or(0.0, |departure| departure.rounding)
     }
 
     /// The point at distance `t`.
@@ -88,7 +146,7 @@ impl Ray {
     /// The direction of the mirrored ray at a surface with this unit normal, from either side.
     #[must_use]
     pub fn mirrored(&self, normal: DVec3) -> DVec3 {
-        direction(self.dir - normal * (2.0 * self.dir.dot(normal)))
+        reflected(self.dir, normal)
     }
 }
 

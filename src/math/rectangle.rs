@@ -2,7 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Crossing, Flat, Frame, Point, Ray, Segment, Span};
+use super::band::{EXTENT, MOMENT, UNDERFLOW};
+use super::exact::ExactVector;
+use super::line::inside_all;
+use super::{Blueprint, Crossing, Decisions, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -14,16 +17,22 @@ pub struct Rectangle {
     pub frame: Frame,
     /// Width along x and height along y, in world units.
     pub size: DVec2,
+    /// How far at most its own borders lie from the lines that decide, with what rounding of
+    /// the size adds.
+    slack: f64,
+    /// The lines that decide: left, right, bottom and top.
+    borders: [Line; 4],
 }
 
 impl Rectangle {
     /// A rectangle from its corner, the direction it faces, the direction of its x, and its size.
     ///
     /// # Errors
-    /// Refuses a zero normal, an `xdir` that is zero or parallel to it, a size not above zero.
+    /// Refuses a zero normal, an `xdir` that is zero or nearly parallel to it, a size not above
+    /// zero.
     pub fn new(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Result<Self, Refusal> {
         let flat = Flat::new(corner, normal)?;
-        let frame = Frame::new(flat.normal, xdir)?;
+        let frame = Frame::new(normal, xdir)?;
         if !(size.is_finite() && size.min_element() > 0.0) {
             return Err(Refusal::new(
                 "dimensions",
@@ -31,31 +40,74 @@ impl Rectangle {
                 "to turn a surface around, change its point, xdir or normal",
             ));
         }
-        Ok(Self { flat, frame, size })
+        let mut borders = [
+            Line::new(corner, frame.y, 0.0),
+            Line::new(corner, -frame.y, size.x),
+            Line::new(corner, -frame.x, 0.0),
+            Line::new(corner, frame.x, size.y),
+        ];
+        let blueprint = Blueprint::rectangle(corner, normal, xdir, size);
+        for (border, exact) in borders.iter_mut().zip(&blueprint.borders) {
+            *border = exact.exact_line(&blueprint.normal).unwrap_or(*border);
+        }
+        Ok(Self {
+            flat,
+            frame,
+            size,
+            slack: EXTENT * size.max_element() + UNDERFLOW,
+            borders,
+        })
     }
 
-    /// The distance of a hit and its offset from the corner along x and y, in world units.
-    ///
-    /// All four borders belong to the rectangle.
+    /// The same rectangle, decided by the plane and the lines that it shares with others.
     #[must_use]
-    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, DVec2)> {
-        let crossing = self.flat.crossing(ray);
-        if !crossing.is_ahead() {
-            return None;
+    pub fn welded(self, to: &Flat, borders: [Option<Line>; 4]) -> Self {
+        let flat = self.flat.welded(to);
+        let mut welded = Self { flat, ..self };
+        let ends = [[0, 3], [1, 2], [0, 1], [3, 2]];
+        for ((border, line), ends) in welded.borders.iter_mut().zip(borders).zip(ends) {
+            let Some(line) = line else { continue };
+            *border = line;
+            // A border is straight, so nowhere is it further off than at one of its ends.
+            for end in ends {
+                let [from_left, from_bottom] = [[0, 0], [1, 0], [1, 1], [0, 1]][end];
+                let corner = self.exact_corner(f64::from(from_left), f64::from(from_bottom));
+                let apart = line.inward(&corner, flat.normal).abs();
+                welded.slack = welded.slack.max(self.slack + apart.next_up());
+            }
         }
+        welded
+    }
+
+    /// A corner, from 0 and 1 for left and right, bottom and top.
+    fn exact_corner(&self, x: f64, y: f64) -> ExactVector {
+        let along = |axis: DVec3, length: f64| ExactVector::from(axis).times(&length.into());
+        let x = along(self.frame.x, x * self.size.x);
+        let y = along(self.frame.y, y * self.size.y);
+        &(&ExactVector::from(self.flat.point) + &x) + &y
+    }
+
+    /// Where a ray crosses the rectangle: the crossing, its distance, and its offset from the
+    /// corner along x and y in world units.
+    ///
+    /// All four borders belong to the rectangle, but for those that a neighbour owns.
+    #[must_use]
+    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(Crossing, f64, DVec2)> {
+        let crossing = self.flat.crossing(ray)?;
         let scaled = self.inside(&crossing, ray)?;
         // Only a certain hit is divided.
         let t = crossing.distance();
         if !span.contains(t) {
             return None;
         }
-        Some((t, (scaled / crossing.slope.abs()).min(self.size)))
+        let offset = scaled / crossing.slope.abs();
+        Some((crossing, t, offset.max(DVec2::ZERO).min(self.size)))
     }
 
-    /// Whether the rectangle stands between the ends of a segment.
+    /// Whether the rectangle stands between the ends of a segment, whose `end` is on this side.
     #[must_use]
-    pub fn occludes(&self, segment: &Segment) -> bool {
-        self.flat.separates(segment).is_some_and(|crossing| {
+    pub fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.flat.separates(segment, end).is_some_and(|crossing| {
             self.inside(&crossing, &segment.ray).is_some()
                 && segment.span.contains(crossing.distance())
         })
@@ -68,13 +120,35 @@ impl Rectangle {
     fn inside(&self, crossing: &Crossing, ray: &Ray) -> Option<DVec2> {
         let moment = ray.dir.cross(crossing.origin);
         let scale = crossing.slope.abs();
-        let sign = crossing.slope.signum();
+        let sign = if crossing.rises { 1.0 } else { -1.0 };
+        let doubt = MOMENT * crossing.size + self.slack;
+
         let x = self.frame.y.dot(moment) * sign;
-        if !(x >= 0.0 && x <= self.size.x * scale) {
+        let from_border = x.min(self.size.x * scale - x);
+        if from_border < -doubt {
+            Decisions::filtered(1);
             return None;
         }
+        let certain = from_border > doubt;
         let y = -self.frame.x.dot(moment) * sign;
-        (y >= 0.0 && y <= self.size.y * scale).then(|| DVec2::new(x, y))
+        let from_border = y.min(self.size.y * scale - y);
+        if from_border < -doubt {
+            Decisions::filtered(2);
+            return None;
+        }
+        let inside = if certain && from_border > doubt {
+            Decisions::filtered(4);
+            true
+        } else {
+            inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
+        };
+        inside.then(|| DVec2::new(x, y))
+    }
+
+    /// The lines that decide its borders: left, right, bottom and top.
+    #[must_use]
+    pub fn borders(&self) -> &[Line; 4] {
+        &self.borders
     }
 
     /// The point at an offset from the corner; it lies in the plane by construction.
@@ -106,7 +180,7 @@ mod tests {
         let ray = Ray::new(Point::exact(DVec3::new(x, y, 1.0)), DVec3::NEG_Z);
         unit_square()
             .hits(&ray, Span::AHEAD)
-            .map(|(_, offset)| offset)
+            .map(|(_, _, offset)| offset)
     }
 
     #[test]

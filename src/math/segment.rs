@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Point, Ray, Span, Support, direction};
+use super::{Departure, Point, Ray, Span, direction};
 
 /// The straight way from a point on a surface to a scene point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -18,15 +18,15 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// The segment from a point on a surface sheet to a scene point; `None` if they coincide.
+    /// The segment from a point on a surface to a scene point; `None` if they coincide.
     #[must_use]
-    pub fn new(leaves: Option<Support>, start: Point, end: DVec3) -> Option<Self> {
+    pub fn new(departure: Option<Departure>, start: Point, end: DVec3) -> Option<Self> {
         let way = -start.from(end);
         let length = way.length();
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let ray = Ray::leaving(leaves, start, direction(way));
+        let ray = Ray::leaving(departure, start, direction(way));
         Some(Self {
             ray,
             end,

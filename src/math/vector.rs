@@ -31,6 +31,22 @@ pub fn direction(vector: DVec3) -> DVec3 {
     vector / vector.length()
 }
 
+/// The mirrored direction of a unit direction at a surface with this unit normal.
+///
+/// It leads to the side that the direction came from, or along the surface: where rounding would
+/// turn a grazing direction through the mirror, the part along the normal is taken off and that
+/// of the mirrored direction put in its place.
+#[must_use]
+pub(super) fn reflected(dir: DVec3, normal: DVec3) -> DVec3 {
+    let falls = dir.dot(normal);
+    let mirrored = direction(dir - normal * (2.0 * falls));
+    let rises = mirrored.dot(normal);
+    if rises * falls <= 0.0 {
+        return mirrored;
+    }
+    direction(mirrored - normal * (rises + falls))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,7 +14,7 @@ use crate::light::{Beam, Cone, Light, Slide};
 use crate::material::Material;
 use crate::math::{Rectangle, Rgb};
 use crate::scene::{Lighting, Picture, Scene};
-use crate::surface::{SCHEMAS, Surface};
+use crate::surface::{SCHEMAS, Surface, weld};
 use crate::texture::Texture;
 
 /// What surfaces and projectors refer to while a scene is built.
@@ -107,9 +107,10 @@ pub(super) fn scene(
         .filter_map(|node| light(node, &parts, problems))
         .collect();
     let surfaces = nodes.iter().filter(|node| node.sound && is_surface(node));
-    let surfaces: Vec<Box<dyn Surface>> = surfaces
+    let mut surfaces: Vec<Box<dyn Surface>> = surfaces
         .filter_map(|node| surfaces::surface(node, &parts, problems))
         .collect();
+    let welds = weld(&mut surfaces);
 
     let sources = files.into_sources();
     match (picture, view) {
@@ -124,6 +125,7 @@ pub(super) fn scene(
             materials,
             lights,
             surfaces,
+            welds,
             sources,
         }),
         _ => Err(sources),

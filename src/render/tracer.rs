@@ -1,10 +1,10 @@
 //! The colour along one ray.
 
-use crate::accel::SurfaceList;
+use crate::accel::{Entry, LightView, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::light::Light;
-use crate::math::{Ray, Rgb, Segment, Support};
+use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::scene::Scene;
 use crate::surface::{Hit, Surface};
 
@@ -22,6 +22,8 @@ pub struct Tracer<'a> {
     scene: &'a Scene,
     camera: Camera,
     surfaces: SurfaceList<'a>,
+    /// What each light has before it, in the order of the scene's lights.
+    light_views: Vec<LightView<'a>>,
 }
 
 /// How a ray came to be where it is.
@@ -46,13 +48,18 @@ impl<'a> Tracer<'a> {
         let camera = scene
             .view
             .camera(scene.picture.width, scene.picture.height)?;
+        let surfaces = match classic {
+            None => SurfaceList::new(&scene.surfaces),
+            Some(classic) => SurfaceList::without_sheets(classic),
+        };
+        let lights = scene.lights.iter();
         Ok(Self {
             scene,
             camera,
-            surfaces: classic.map_or_else(
-                || SurfaceList::new(&scene.surfaces),
-                SurfaceList::without_sheets,
-            ),
+            light_views: lights
+                .map(|light| LightView::new(&surfaces, light.location))
+                .collect(),
+            surfaces,
         })
     }
 
@@ -69,12 +76,14 @@ impl<'a> Tracer<'a> {
 
     /// The colour that comes back along a ray; black where there is nothing.
     fn trace(&self, ray: &Ray, path: &Path, bounces: &mut u32, probe: &mut impl Probe) -> Rgb {
-        let Some((surface, support, hit)) = self.surfaces.nearest(ray, self.camera.span(ray))
-        else {
+        let Some((entry, hit)) = self.surfaces.nearest(ray, self.camera.span(ray)) else {
             return Rgb::BLACK;
         };
+        let surface = entry.surface;
+        let leaves = |support| Departure::new(support, ray, &hit.point, hit.error);
+        let departure = entry.support.map(leaves);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, surface, support, &hit, probe);
+        let local = self.local_color(ray, entry, departure, &hit, probe);
         let mut color = local / self.scene.lighting.view_falloff.divisor(travelled);
 
         let material = &surface.common().material;
@@ -91,7 +100,7 @@ impl<'a> Tracer<'a> {
             }
             *bounces -= 1;
             count(probe);
-            let next = Ray::leaving(support, hit.point, dir);
+            let next = Ray::leaving(departure, hit.point, dir);
             share * self.trace(&next, &path, bounces, probe)
         };
         if material.transparency > 0.0 {
@@ -118,18 +127,22 @@ impl<'a> Tracer<'a> {
     fn local_color(
         &self,
         ray: &Ray,
-        surface: &dyn Surface,
-        support: Option<Support>,
+        entry: &Entry<'_>,
+        departure: Option<Departure>,
         hit: &Hit,
         probe: &mut impl Probe,
     ) -> Rgb {
+        let surface = entry.surface;
         let mut color = surface.getamb(hit);
         if self.scene.lights.is_empty() {
             return color;
         }
         let diffuse = surface.getdiff(hit);
-        for light in &self.scene.lights {
-            let Some(mut segment) = Segment::new(support, hit.point, light.location) else {
+        for (light, view) in self.scene.lights.iter().zip(&self.light_views) {
+            if !view.lights(entry) {
+                continue;
+            }
+            let Some(mut segment) = Segment::new(departure, hit.point, light.location) else {
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);
@@ -138,7 +151,7 @@ impl<'a> Tracer<'a> {
                 continue;
             }
             segment.span = self.camera.span(&segment.ray);
-            let Some(arriving) = self.arriving(surface, light, &segment, probe) else {
+            let Some(arriving) = self.arriving(entry, light, view, &segment, probe) else {
                 continue;
             };
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
@@ -160,17 +173,18 @@ impl<'a> Tracer<'a> {
     /// passes by or something stands in the way.
     fn arriving(
         &self,
-        surface: &dyn Surface,
+        entry: &Entry<'_>,
         light: &Light,
+        view: &LightView<'_>,
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Option<Rgb> {
         let leaving = light.towards(segment)?;
-        if !surface.common().shadows.receive {
+        if !entry.surface.common().shadows.receive {
             return Some(leaving);
         }
         probe.shadow_ray();
-        let passed = self.surfaces.transmittance(segment);
+        let passed = view.transmittance(segment);
         (!passed.is_black()).then(|| leaving * passed)
     }
 }

@@ -13,7 +13,7 @@ use crate::camera::View;
 use crate::language::{Node, Schema, Sources};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
-use crate::surface::{self, Surface};
+use crate::surface::{self, Surface, Weld};
 use crate::texture::Texture;
 
 /// A scene in which every name is resolved.
@@ -33,6 +33,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// The surfaces in file order; of coincident ones the first is seen.
     pub surfaces: Vec<Box<dyn Surface>>,
+    /// The planes and lines that surfaces share.
+    pub welds: Vec<Weld>,
     /// The texts that it was read from.
     pub sources: Sources,
 }

@@ -15,9 +15,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe, sphere::enters};
+use super::chord::{Chord, Quadratic};
+use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
+use crate::math::exact::{Distance, Exact, ExactVector};
+use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
 
 /// A sphere stretched along the world's axes.
@@ -96,6 +98,25 @@ impl Ellipsoid {
         })
     }
 
+    /// The equation of the distances at which a ray meets the ellipsoid, multiplied by all three
+    /// axes squared, since exact numbers are not divided.
+    fn equation(&self, ray: &Ray) -> Quadratic {
+        let stretch = ExactVector::from(self.axes).products_of_others();
+        let origin = ray.origin.exactly_from(self.center).scaled(&stretch);
+        let dir = ExactVector::from(ray.dir).scaled(&stretch);
+        Quadratic {
+            a: dir.dot(&dir),
+            b: -&origin.dot(&dir),
+            c: &origin.dot(&origin) - &self.exact_volume().squared(),
+        }
+    }
+
+    /// The product of the three axes.
+    fn exact_volume(&self) -> Exact {
+        let [x, y, z] = self.axes.to_array().map(Exact::from);
+        &(&x * &y) * &z
+    }
+
     /// From a point on the ellipsoid to the same point on the unit sphere.
     fn on_unit_sphere(&self, point: &Point) -> DVec3 {
         point.from(self.center) / self.axes
@@ -106,10 +127,14 @@ impl Surface for Ellipsoid {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         // In the space where the ellipsoid is the unit sphere.
         let origin = self.on_unit_sphere(&ray.origin);
+        let between = (ray.origin.anchor - self.center).abs() + ray.origin.offset.abs();
+        let size = (between / self.axes).element_sum();
         let stretched = ray.dir / self.axes;
         let speed = stretched.length();
         let dir = stretched / speed;
-        let entered = enters(origin, dir, 1.0)?;
+        let rounding = ray.rounding() / self.axes.min_element();
+        let chord = Chord::new(origin, size, dir, 1.0);
+        let (entered, error) = chord.entry(rounding, || self.equation(ray))?;
         let t = Some(entered / speed).filter(|t| span.contains(*t))?;
         let on_sphere = direction(origin + dir * entered);
         let point = Point {
@@ -118,6 +143,7 @@ impl Surface for Ellipsoid {
         };
         Some(Hit {
             t,
+            error: (error + f64::EPSILON * 4.0 * entered) / speed,
             point,
             normal: direction(on_sphere / self.axes),
             uv: DVec2::ZERO,
@@ -156,7 +182,20 @@ impl Surface for Ellipsoid {
     }
 
     fn side(&self, point: &Point) -> Side {
-        Side::of(self.on_unit_sphere(point).length() - 1.0)
+        let stretch = ExactVector::from(self.axes).products_of_others();
+        let way = point.exactly_from(self.center).scaled(&stretch);
+        Side::of((&way.dot(&way) - &self.exact_volume().squared()).sign())
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.equation(ray).entry()
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        // As with a sphere, in the space where the ellipsoid is one.
+        let (way, dir) = (segment.end - self.center, segment.ray.dir / self.axes);
+        let beyond = (way / self.axes).dot(dir) > 0.0;
+        (end == Side::Back || beyond) && self.hits(&segment.ray, segment.span).is_some()
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

@@ -16,7 +16,8 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::{Flat, Ray, Rectangle, Segment, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
 #[derive(Debug, Clone)]
@@ -96,10 +97,11 @@ impl FinitePlane {
 
 impl Surface for FinitePlane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let (t, uv) = self.rectangle.hits(ray, span)?;
+        let (crossing, t, uv) = self.rectangle.hits(ray, span)?;
         let point = self.rectangle.point(uv);
         Some(Hit {
             t,
+            error: crossing.error(t),
             point,
             normal: self.rectangle.flat.normal,
             uv,
@@ -111,7 +113,9 @@ impl Surface for FinitePlane {
     }
 
     fn anatomy(&self) -> Option<Anatomy<'_>> {
-        let Rectangle { flat, frame, size } = self.rectangle;
+        let Rectangle {
+            flat, frame, size, ..
+        } = self.rectangle;
         Some(Anatomy::plain(Shape::Rectangle {
             corner: flat.point,
             axes: [frame.x, frame.y, flat.normal],
@@ -131,7 +135,27 @@ impl Surface for FinitePlane {
         self.rectangle.corners().to_vec()
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        self.rectangle.occludes(segment)
+    fn borders(&self) -> Vec<Line> {
+        self.rectangle.borders().to_vec()
+    }
+
+    fn blueprint(&self) -> Option<Blueprint> {
+        let Rectangle { flat, size, .. } = self.rectangle;
+        let (normal, xdir) = (self.given_normal, self.given_xdir);
+        Some(Blueprint::rectangle(flat.point, normal, xdir, size))
+    }
+
+    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
+        let border = |index: usize| borders.get(index).copied().flatten();
+        let borders = [0, 1, 2, 3].map(border);
+        self.rectangle = self.rectangle.welded(plane, borders);
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.rectangle.flat.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.rectangle.occludes(segment, end)
     }
 }

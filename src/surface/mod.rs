@@ -1,21 +1,25 @@
 //! What a ray can hit. **The heart**: [`Surface`] is what the tracer calls on the boxed objects.
 
 mod anatomy;
+mod chord;
 pub mod classic;
 mod common;
 mod globe;
+mod weld;
 
 use std::fmt;
 
 use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
-use crate::math::{Bounds, Flat, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 
 pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
 pub use procedural_plane::Shader;
 pub use tiled_plane::TileStart;
+pub use weld::{Weld, Welded, weld};
 
 /// The list of surface kinds: a line here makes the module, its name, and its word known.
 macro_rules! surfaces {
@@ -89,12 +93,33 @@ pub trait Surface: Send + Sync + fmt::Debug {
         None
     }
 
-    /// Whether the surface stands between the ends of a segment.
-    fn occludes(&self, segment: &Segment) -> bool {
+    /// Whether the surface stands between the ends of a segment; `end` is the side of the surface
+    /// that the segment's end is on.
+    fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         // A light on the surface itself is not hidden by it.
         let hit = self.hits(&segment.ray, segment.span);
         hit.is_some_and(|hit| hit.t < segment.length)
     }
+
+    /// The distance at which a ray meets the surface, exactly: for hits whose order is in doubt.
+    ///
+    /// `None` if the surface has no exact arithmetic; such hits are ordered as computed.
+    fn exact_distance(&self, _ray: &Ray) -> Option<Distance> {
+        None
+    }
+
+    /// The plane and the borders as the scene file has them, if the surface is flat.
+    fn blueprint(&self) -> Option<Blueprint> {
+        None
+    }
+
+    /// The lines that decide the borders of a flat surface, in the order of its blueprint.
+    fn borders(&self) -> Vec<Line> {
+        Vec::new()
+    }
+
+    /// Takes over the plane and the border lines that a flat surface shares with others.
+    fn weld(&mut self, _plane: &Flat, _borders: &[Option<Line>]) {}
 
     /// The colour of the surface's texture at a hit; white without one.
     fn texel(&self, _hit: &Hit) -> Rgb {
@@ -126,6 +151,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
 pub struct Hit {
     /// Distance along the ray; above zero.
     pub t: f64,
+    /// How far at most `t` is from the exact distance.
+    pub error: f64,
     /// The place, anchored at the surface's own point.
     pub point: Point,
     /// The unit normal as the surface has it, on whichever side the ray came.

@@ -14,7 +14,8 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
-use crate::math::{Flat, Ray, Segment, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Flat, Line, Ray, Segment, Side, Span};
 
 /// An unbounded plane; the chapter's `plane_t`.
 #[derive(Debug, Clone)]
@@ -57,10 +58,10 @@ impl Plane {
         })
     }
 
-    /// The unit normal.
+    /// The normal as the scene gives it.
     #[must_use]
-    pub fn normal(&self) -> DVec3 {
-        self.flat.normal
+    pub fn given_normal(&self) -> DVec3 {
+        self.given_normal
     }
 
     /// Adds the plane's attributes to a node.
@@ -72,10 +73,11 @@ impl Plane {
 
 impl Surface for Plane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let t = self.flat.hits(ray, span)?;
+        let (t, error) = self.flat.hits(ray, span)?;
         let point = self.flat.foot(ray, t);
         Some(Hit {
             t,
+            error,
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
@@ -101,8 +103,20 @@ impl Surface for Plane {
         Some(self.flat)
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        let crossing = self.flat.separates(segment);
+    fn blueprint(&self) -> Option<Blueprint> {
+        Some(Blueprint::plane(self.flat.point, self.given_normal))
+    }
+
+    fn weld(&mut self, plane: &Flat, _borders: &[Option<Line>]) {
+        self.flat = self.flat.welded(plane);
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.flat.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        let crossing = self.flat.separates(segment, end);
         crossing.is_some_and(|crossing| segment.span.contains(crossing.distance()))
     }
 }

@@ -15,7 +15,8 @@ use std::f64::consts::PI;
 
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Naming, Node, Schema, Takes};
-use crate::math::{Flat, Ray, Rgb, Segment, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane whose ambient colour is a formula; the course's two examples.
 #[derive(Debug, Clone)]
@@ -120,8 +121,20 @@ impl Surface for ProceduralPlane {
         self.plane.flat()
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        self.plane.occludes(segment)
+    fn blueprint(&self) -> Option<Blueprint> {
+        self.plane.blueprint()
+    }
+
+    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
+        self.plane.weld(plane, borders);
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.plane.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.plane.occludes(segment, end)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

@@ -14,9 +14,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::chord::{Chord, Quadratic};
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::{Bounds, Point, Ray, Rgb, Side, Span, direction};
+use crate::math::exact::{Distance, Exact, ExactVector};
+use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
 
 /// A sphere, seen and lit from outside.
@@ -73,30 +75,30 @@ impl Sphere {
     }
 }
 
-/// The distance at which a ray enters a sphere around the origin; `None` if it misses, only
-/// touches, starts inside or leads away.
-///
-/// The discriminant is `r² − |c − (c·d)d|²`: the distance of the line from the centre does not
-/// cancel, however far away the origin is (Haines, Günther and Akenine-Möller 2019, "Precision
-/// Improvements for Ray/Sphere Intersection").
-pub(super) fn enters(origin: DVec3, dir: DVec3, radius: f64) -> Option<f64> {
-    let along = origin.dot(dir);
-    if along >= 0.0 {
-        return None;
+impl Sphere {
+    /// The equation of the distances at which a ray meets the sphere.
+    fn equation(&self, ray: &Ray) -> Quadratic {
+        let origin = ray.origin.exactly_from(self.center);
+        let dir = ExactVector::from(ray.dir);
+        Quadratic {
+            a: dir.dot(&dir),
+            b: -&origin.dot(&dir),
+            c: &origin.dot(&origin) - &Exact::from(self.radius).squared(),
+        }
     }
-    let nearest = origin - dir * along;
-    let half_chord_squared = radius * radius - nearest.length_squared();
-    if half_chord_squared <= 0.0 {
-        return None;
+
+    /// The distance at which a ray enters, and its error.
+    fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let (origin, size) = ray.origin.seen_from(self.center);
+        let chord = Chord::new(origin, size, ray.dir, self.radius);
+        chord.entry(ray.rounding(), || self.equation(ray))
     }
-    Some(-along - half_chord_squared.sqrt())
 }
 
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let origin = ray.origin.from(self.center);
-        let t = enters(origin, ray.dir, self.radius).filter(|t| span.contains(*t))?;
-        let normal = direction(origin + ray.dir * t);
+        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let normal = direction(ray.origin.from(self.center) + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
         let point = Point {
             anchor: self.center,
@@ -104,6 +106,7 @@ impl Surface for Sphere {
         };
         Some(Hit {
             t,
+            error,
             point,
             normal,
             uv: DVec2::ZERO,
@@ -142,34 +145,24 @@ impl Surface for Sphere {
     }
 
     fn side(&self, point: &Point) -> Side {
-        Side::of(point.from(self.center).length() - self.radius)
+        let way = point.exactly_from(self.center);
+        Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.equation(ray).entry()
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        // The line is nearest to the centre inside, so an end outside lies before or beyond that
+        // place together with the whole sphere.
+        let beyond = (segment.end - self.center).dot(segment.ray.dir) > 0.0;
+        (end == Side::Back || beyond) && self.hits(&segment.ray, segment.span).is_some()
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {
         self.image
             .as_ref()
             .map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_near_side_is_hit_and_a_touch_is_a_miss() {
-        let from = |x: f64| enters(DVec3::new(x, 0.0, 5.0), DVec3::NEG_Z, 1.0);
-        assert_eq!(from(0.0), Some(4.0));
-        assert_eq!(from(1.0), None);
-        assert_eq!(enters(DVec3::ZERO, DVec3::NEG_Z, 1.0), None);
-        assert_eq!(enters(DVec3::new(0.0, 0.0, -5.0), DVec3::NEG_Z, 1.0), None);
-    }
-
-    #[test]
-    fn far_away_the_decision_is_still_right() {
-        for (x, hit) in [(0.999_999, true), (1.000_001, false)] {
-            let entered = enters(DVec3::new(x, 0.0, 1e9), DVec3::NEG_Z, 1.0);
-            assert_eq!(entered.is_some(), hit, "{x}");
-        }
     }
 }

@@ -17,7 +17,8 @@ use glam::DVec3;
 
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
-use crate::math::{Flat, Ray, Rgb, Segment, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
@@ -125,8 +126,24 @@ impl Surface for TexturePlane {
         self.plane.outline()
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        self.plane.occludes(segment)
+    fn borders(&self) -> Vec<Line> {
+        self.plane.borders()
+    }
+
+    fn blueprint(&self) -> Option<Blueprint> {
+        self.plane.blueprint()
+    }
+
+    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
+        self.plane.weld(plane, borders);
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.plane.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.plane.occludes(segment, end)
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

@@ -20,7 +20,8 @@ use glam::{DVec2, DVec3};
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
 use crate::material::Material;
-use crate::math::{Flat, Frame, Ray, Rgb, Segment, Span};
+use crate::math::exact::Distance;
+use crate::math::{Blueprint, Flat, Frame, Line, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane of tiles in two materials, in a checkerboard.
 ///
@@ -111,7 +112,7 @@ impl TiledPlane {
         start: TileStart,
         alternate: Arc<Material>,
     ) -> Result<Self, Refusal> {
-        let frame = Frame::new(plane.normal(), xdir)?;
+        let frame = Frame::new(plane.given_normal(), xdir)?;
         if !(tile.is_finite() && tile.min_element() > 0.0) {
             return Err(Refusal::new(
                 "dimensions",
@@ -184,8 +185,20 @@ impl Surface for TiledPlane {
         self.plane.flat()
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        self.plane.occludes(segment)
+    fn blueprint(&self) -> Option<Blueprint> {
+        self.plane.blueprint()
+    }
+
+    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
+        self.plane.weld(plane, borders);
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.plane.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.plane.occludes(segment, end)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

@@ -15,7 +15,11 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
-use crate::math::{Flat, Ray, Segment, Span};
+use crate::math::band::{MOMENT, UNDERFLOW};
+use crate::math::exact::Distance;
+use crate::math::{
+    Blueprint, Crossing, Decisions, Flat, Line, Point, Ray, Segment, Side, Span, inside_all,
+};
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
 #[derive(Debug, Clone)]
@@ -23,6 +27,12 @@ pub struct Triangle {
     common: Common,
     vertices: [DVec3; 3],
     flat: Flat,
+    /// From each vertex to the next.
+    edges: [DVec3; 3],
+    /// The lines that decide.
+    borders: [Line; 3],
+    /// How far at most its own borders lie from the lines that decide.
+    slack: f64,
 }
 
 impl Triangle {
@@ -49,50 +59,66 @@ impl Triangle {
     /// Refuses corners that lie on one line.
     pub fn new(common: Common, vertices: [DVec3; 3]) -> Result<Self, Refusal> {
         let [a, b, c] = vertices;
-        let normal = (b - a).cross(c - a);
-        let flat = Flat::new(a, normal).map_err(|_| {
-            Refusal::new(
+        let edge = |to: DVec3| Point::exact(to).exactly_from(a);
+        let normal = edge(b).cross(&edge(c)).unit();
+        if normal == DVec3::ZERO {
+            return Err(Refusal::new(
                 "vertex3",
                 "the three vertices lie on one line",
                 "a triangle needs three corners that are not in line",
             )
-            .expected("expected a point off the line through the other two")
-        })?;
+            .expected("expected a point off the line through the other two"));
+        }
         Ok(Self {
             common,
             vertices,
-            flat,
+            flat: Flat::with_unit_normal(a, normal),
+            edges: [b - a, c - b, a - c],
+            borders: [
+                Line::between(b, a),
+                Line::between(c, b),
+                Line::between(a, c),
+            ],
+            slack: 0.0,
         })
     }
 
-    /// Whether the line of a ray passes inside, borders included.
+    /// Whether the line of a ray passes inside, borders included but for those that a neighbour
+    /// owns.
     ///
-    /// The side of each edge is the sign of a determinant of the line and the edge's two ends;
-    /// neighbours that share the edge compute it from the same numbers, with the sign reversed.
-    fn contains_line(&self, ray: &Ray) -> bool {
-        // Written out, because mapping these arrays costs twice as much as the arithmetic.
-        let [a, b, c] = self.vertices;
-        let (a, b, c) = (
-            -ray.origin.from(a),
-            -ray.origin.from(b),
-            -ray.origin.from(c),
-        );
-        let side = |from: DVec3, to: DVec3| ray.dir.dot(from.cross(to));
-        let sides = [side(a, b), side(b, c), side(c, a)];
-        sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
+    /// For the edge `e` from a vertex `v`, and `c` from `v` to the ray's origin, `e·(d × c)` is
+    /// the distance of the crossing from the edge times `n·d` and the edge's length.
+    fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
+        let sign = if crossing.rises { -1.0 } else { 1.0 };
+        let mut certain = true;
+        for (vertex, edge) in self.vertices.into_iter().zip(self.edges) {
+            let (origin, size) = ray.origin.seen_from(vertex);
+            let side = edge.dot(ray.dir.cross(origin)) * sign;
+            let doubt = (MOMENT * size + self.slack) * edge.abs().element_sum() + UNDERFLOW;
+            if side < -doubt {
+                Decisions::filtered(1);
+                return false;
+            }
+            certain &= side > doubt;
+        }
+        if certain {
+            Decisions::filtered(3);
+        }
+        certain || inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
     }
 }
 
 impl Surface for Triangle {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let crossing = self.flat.crossing(ray);
-        if !(crossing.is_ahead() && self.contains_line(ray)) {
+        let crossing = self.flat.crossing(ray)?;
+        if !self.contains_line(ray, &crossing) {
             return None;
         }
         let t = Some(crossing.distance()).filter(|t| span.contains(*t))?;
         let point = self.flat.foot(ray, t);
         Some(Hit {
             t,
+            error: crossing.error(t),
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
@@ -126,9 +152,40 @@ impl Surface for Triangle {
         self.vertices.to_vec()
     }
 
-    fn occludes(&self, segment: &Segment) -> bool {
-        self.flat.separates(segment).is_some_and(|crossing| {
-            self.contains_line(&segment.ray) && segment.span.contains(crossing.distance())
+    fn borders(&self) -> Vec<Line> {
+        self.borders.to_vec()
+    }
+
+    fn blueprint(&self) -> Option<Blueprint> {
+        Some(Blueprint::polygon(&self.vertices))
+    }
+
+    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
+        self.flat = self.flat.welded(plane);
+        let [a, b, c] = self.vertices;
+        let shared = self
+            .borders
+            .iter_mut()
+            .zip(borders)
+            .zip([[a, b], [b, c], [c, a]]);
+        for ((border, line), ends) in shared {
+            let Some(line) = line else { continue };
+            *border = *line;
+            for end in ends {
+                let apart = line.inward(&end.into(), self.flat.normal).abs();
+                self.slack = self.slack.max(apart.next_up());
+            }
+        }
+    }
+
+    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
+        self.flat.exact_distance(ray)
+    }
+
+    fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        self.flat.separates(segment, end).is_some_and(|crossing| {
+            self.contains_line(&segment.ray, &crossing)
+                && segment.span.contains(crossing.distance())
         })
     }
 }

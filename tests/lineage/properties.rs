@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 use heliodon::accel::{SurfaceList, supports};
-use heliodon::math::{Point, Ray, Side, Span, unit};
+use heliodon::math::{Departure, Point, Ray, Side, Span, unit};
 use heliodon::surface::Surface;
 use proptest::prelude::*;
 
@@ -76,14 +76,14 @@ proptest! {
     ) {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
-        let Some((left, support, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
-        let onward = Ray::leaving(support, hit.point, unit(onward).unwrap());
-        if let Some((met, met_support, _)) = list.nearest(&onward, Span::AHEAD) {
-            prop_assert_ne!(met_support, support);
-            prop_assert!(!std::ptr::addr_eq(met, left));
-            if let (Some(a), Some(b)) = (met.flat(), left.flat()) {
-                let in_one_plane = a.normal == b.normal && a.side(&hit.point) == Side::On;
-                prop_assert!(!in_one_plane);
+        let Some((left, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
+        let departure = left.support.map(|it| Departure::new(it, &ray, &hit.point, hit.error));
+        let onward = Ray::leaving(departure, hit.point, unit(onward).unwrap());
+        if let Some((met, _)) = list.nearest(&onward, Span::AHEAD) {
+            prop_assert_ne!(met.support, left.support);
+            prop_assert_ne!(met.index, left.index);
+            if let (Some(a), Some(b)) = (met.surface.flat(), left.surface.flat()) {
+                prop_assert_ne!(a.decisive(), b.decisive());
             }
         }
     }
@@ -95,7 +95,7 @@ proptest! {
         let ray = ray(origin.into(), dir.into());
         let all = SURFACES.iter().filter_map(|surface| surface.hits(&ray, Span::AHEAD));
         let smallest = all.map(|hit| hit.t).reduce(f64::min);
-        let nearest = list.nearest(&ray, Span::AHEAD).map(|(_, _, hit)| hit.t);
+        let nearest = list.nearest(&ray, Span::AHEAD).map(|(_, hit)| hit.t);
         match (nearest, smallest) {
             // Of surfaces in one plane the first is taken, though rounding may put it behind.
             (Some(nearest), Some(smallest)) => {

@@ -82,11 +82,7 @@ struct Classic<'a, T, S> {
 }
 
 impl<'a, T: Scalar, S: Solid<T> + 'a> Classic<'a, T, S> {
-    fn boxed(
-        surface: &'a dyn Surface,
-        anatomy: &Anatomy<'a>,
-        solid: S,
-    ) -> Box<dyn Surface + 'a> {
+    fn boxed(surface: &'a dyn Surface, anatomy: &Anatomy<'a>, solid: S) -> Box<dyn Surface + 'a> {
         Box::new(Self {
             surface,
             common: surface.common(),

@@ -113,7 +113,7 @@ fn a_shadow_lies_between_the_ends() {
     let occludes = |asked: &dyn Surface, from: f64, to: f64| {
         let at = |height: f64| DVec3::new(0.5, 0.5, height);
         let segment = Segment::new(None, Point::exact(at(from)), at(to));
-        asked.occludes(&segment.expect("a segment"))
+        asked.occludes(&segment.expect("a segment"), Side::Back)
     };
     let classic = &*surface::<f64>(&square);
     assert!(occludes(classic, 1.0, -1.0) && occludes(classic, -1.0, 1.0));
@@ -187,8 +187,8 @@ fn an_unknown_surface_keeps_its_own_way_but_for_the_offset() {
         let start = Point::exact(DVec3::Y);
         Segment::new(None, start, DVec3::new(0.0, to, 0.0)).expect("a segment")
     };
-    assert!(surface::<f64>(&unknown).occludes(&segment(-1.0)));
-    assert!(!surface::<f64>(&unknown).occludes(&segment(0.0)));
+    assert!(surface::<f64>(&unknown).occludes(&segment(-1.0), Side::Back));
+    assert!(!surface::<f64>(&unknown).occludes(&segment(0.0), Side::On));
 }
 
 #[test]

@@ -1,0 +1,39 @@
+//! How far a rounded value can lie from the exact one.
+//!
+//! All bounds are for doubles with rounding to nearest, `u` = 2⁻⁵³, and vectors of length at most
+//! `1 + 4u`. An expression whose longest path has `k` roundings is off by at most `γ(k) S`, where
+//! `γ(k) = k u / (1 − k u)` and `S` is the same expression with every term made positive (Higham
+//! 2002, "Accuracy and Stability of Numerical Algorithms", §3.1). A vector `c` from a scene point
+//! to a ray's origin is itself rounded twice: `c = (anchor − p) + offset`; with
+//! `size = |anchor − p|₁ + |offset|₁` every sum of `|cᵢ|` is at most `size`.
+
+/// Half of the distance from 1 to the next double: the largest relative rounding.
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// Below this, products of doubles can lose bits to underflow; such values are always decided
+/// exactly. It stands for no length: it is the smallest double of full precision.
+pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
+
+/// `D = n·d`: a product and two sums, `γ(3) Σ|nᵢdᵢ|`, and the sum is at most `(1 + 4u)²`.
+pub(crate) const SLOPE: f64 = 4.0 * UNIT;
+
+/// `N = −n·c`, in units of `size`: two roundings in `c`, a product and two sums.
+pub(crate) const HEIGHT: f64 = 6.0 * UNIT;
+
+/// `v·(d × c)`, in units of `size`: two roundings in `c`, a product and a difference in the cross
+/// product, a product and two sums: `γ(7) A`, and `A = Σ|vᵢ|(|dⱼcₖ| + |dₖcⱼ|)` is at most
+/// `|c|₁ maxₖ(|vᵢdⱼ| + |vⱼdᵢ|) ≤ |c|₁ (1 + 4u)²`.
+pub(crate) const MOMENT: f64 = 9.0 * UNIT;
+
+/// `w D − v·(d × c)`, in units of `w`, beside [`MOMENT`] for the other term and its difference: 5 for
+/// the product, and 4 because a border that is a line of whole numbers lies that far from the one
+/// along a rounded unit vector.
+pub(crate) const EXTENT: f64 = 9.0 * UNIT;
+
+/// `t = N/D`: beside the errors of both, the rounding of the quotient, in units of `t`.
+pub(crate) const QUOTIENT: f64 = 2.0 * UNIT;
+
+/// How far a computed hit point lies off the ray that led to it, in units of `size` plus the sum of
+/// the hit's own offset, which together bound `|c|₁ + t`: the roundings of `c`, of `t d`, of their sum,
+/// and of taking off the part along the normal. How far it lies along the ray is the error of `t`.
+pub(crate) const FOOT: f64 = 16.0 * UNIT;

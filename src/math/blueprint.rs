@@ -1,0 +1,103 @@
+//! The geometry of a flat surface as the scene file has it, without rounding.
+
+use dashu_ratio::RBig;
+use glam::{DVec2, DVec3};
+
+use super::exact::{RationalVector, decimal};
+use super::{ExactFrame, Line};
+
+/// A plane and the borders of what lies in it, from the decimals of the scene.
+///
+/// Surfaces are compared by these numbers when a scene is loaded: only here are 0.1 + 0.2 and 0.3 one
+/// place.
+#[derive(Debug, Clone)]
+pub struct Blueprint {
+    /// A point of the plane.
+    pub point: RationalVector,
+    /// The normal, of any length.
+    pub normal: RationalVector,
+    /// The borders, in the order of the surface's own; none if it has no end.
+    pub borders: Vec<Border>,
+}
+
+/// One border of a flat surface.
+#[derive(Debug, Clone)]
+pub struct Border {
+    /// A point from which the border is reached by going `across` to the outer side.
+    pub point: RationalVector,
+    /// Along the border, of any length; seen from the front the inner side is on the right.
+    pub along: RationalVector,
+    /// How far the border lies from `point`.
+    pub across: RBig,
+}
+
+impl Blueprint {
+    /// A plane without end.
+    #[must_use]
+    pub fn plane(point: DVec3, normal: DVec3) -> Self {
+        Self {
+            point: RationalVector::of_decimals(point),
+            normal: RationalVector::of_decimals(normal),
+            borders: Vec::new(),
+        }
+    }
+
+    /// A rectangle: borders left, right, bottom and top.
+    #[must_use]
+    pub fn rectangle(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Self {
+        let plane = Self::plane(corner, normal);
+        let frame = ExactFrame::new(normal, xdir);
+        let border = |along: &RationalVector, sign: i8, across: f64| Border {
+            point: plane.point.clone(),
+            along: along.times(&RBig::from(sign)),
+            across: decimal(across),
+        };
+        let borders = vec![
+            border(&frame.y, 1, 0.0),
+            border(&frame.y, -1, size.x),
+            border(&frame.x, -1, 0.0),
+            border(&frame.x, 1, size.y),
+        ];
+        Self { borders, ..plane }
+    }
+
+    /// A convex polygon whose corners run counter-clockwise seen from the front: borders from each
+    /// corner to the next.
+    #[must_use]
+    pub fn polygon(corners: &[DVec3]) -> Self {
+        let corners: Vec<_> = corners.iter().copied().map(RationalVector::of_decimals).collect();
+        let next = |index: usize| &corners[(index + 1) % corners.len()];
+        let border = |(index, from): (usize, &RationalVector)| Border {
+            point: from.clone(),
+            along: from - next(index),
+            across: RBig::ZERO,
+        };
+        Self {
+            normal: (next(0) - &corners[0]).cross(&(next(1) - &corners[0])),
+            borders: corners.iter().enumerate().map(border).collect(),
+            point: corners[0].clone(),
+        }
+    }
+}
+
+impl Border {
+    /// The border as a line whose numbers are those of the scene file, without rounding; `None` if
+    /// they are no doubles.
+    #[must_use]
+    pub fn exact_line(&self, normal: &RationalVector) -> Option<Line> {
+        let dir = self.along.whole()?;
+        let outer = normal.cross(&self.along);
+        let point = if self.across.is_zero() {
+            self.point.clone()
+        } else {
+            let (length, exact) = outer.length();
+            if !exact {
+                return None;
+            }
+            &self.point + &outer.times(&(&self.across / length))
+        };
+        let rounded = point.rounded();
+        let same = RationalVector::of_decimals(rounded) == point;
+        same.then(|| Line::new(rounded, dir, 0.0))
+    }
+}

@@ -1,0 +1,104 @@
+//! The line along a border of a flat surface.
+
+use glam::DVec3;
+
+use super::{Decisions, Ray};
+use super::exact::{Exact, ExactVector, Sign};
+
+/// A line in a plane with an inner side, as one border of a surface. Neighbours that share the line
+/// decide by the same one, so no ray passes between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// A point from which the line is reached by going `across` to the outer side.
+    pub point: DVec3,
+    /// Along the line, of unit length if `across` is not zero; seen from the front the inner side is on the right.
+    pub dir: DVec3,
+    /// What rounding took from `dir`.
+    pub dir_rest: DVec3,
+    /// How far the line lies from `point`.
+    pub across: f64,
+    /// Whether the line itself belongs to the surface. It does, unless there is a neighbour beyond
+    /// it that owns it.
+    pub owned: bool,
+}
+
+impl Line {
+    /// A line that belongs to its surface.
+    #[must_use]
+    pub fn new(point: DVec3, dir: DVec3, across: f64) -> Self {
+        Self {
+            point,
+            dir,
+            dir_rest: DVec3::ZERO,
+            across,
+            owned: true,
+        }
+    }
+
+    /// The line from one point to another.
+    #[must_use]
+    pub fn between(from: DVec3, to: DVec3) -> Self {
+        let dir = to - from;
+        // What the rounded difference lacks is itself a double (Knuth 1969, vol. 2, §4.2.2).
+        let virtual_from = to - dir;
+        let dir_rest = (virtual_from - from) + (to - (dir + virtual_from));
+        Self {
+            dir_rest,
+            ..Self::new(from, dir, 0.0)
+        }
+    }
+
+    /// The same line for another surface in the plane, whose normal points to the same side or not,
+    /// and which lies on the same side of the line or not.
+    #[must_use]
+    pub fn for_neighbor(&self, same_front: bool, same_side: bool) -> Self {
+        let sign = |keep: bool| if keep { 1.0 } else { -1.0 };
+        let turn = sign(same_front == same_side);
+        Self {
+            dir: self.dir * turn,
+            dir_rest: self.dir_rest * turn,
+            across: self.across * sign(same_side),
+            ..*self
+        }
+    }
+
+    /// On which side of the line a ray passes: positive on the inner side, if it goes up along
+    /// the plane's normal, and the other way round if it goes down.
+    ///
+    /// With the vector `c` from the line's point to the ray's origin this is
+    /// `a·(d × c) + across n·d`: the distance of the ray's crossing from the line, times `n·d`.
+    #[must_use]
+    pub fn side(&self, ray: &Ray, normal: DVec3) -> Sign {
+        let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
+        let dir = ExactVector::from(ray.dir);
+        let moment = dir.cross(&ray.origin.exactly_from(self.point));
+        let side = along.dot(&moment);
+        if self.across == 0.0 {
+            return side.sign();
+        }
+        let shift = &dir.dot(&normal.into()) * &Exact::from(self.across);
+        (&side + &shift).sign()
+    }
+
+    /// How far a point in the plane lies on the inner side of the line.
+    #[must_use]
+    pub fn inward(&self, point: &ExactVector, normal: DVec3) -> f64 {
+        let way = point - &self.point.into();
+        let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
+        let right = along.cross(&normal.into());
+        right.dot(&way).to_f64() / self.dir.length() + self.across
+    }
+}
+
+/// Whether the line of a ray passes on the inner side of all borders of a surface, without rounding;
+/// `rises` tells whether the ray goes up along the surface's normal.
+#[cold]
+#[must_use]
+pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, rises: bool) -> bool {
+    let outer = if rises { Sign::Negative } else { Sign::Positive };
+    borders.iter().all(|border| {
+        let side = border.side(ray, normal);
+        Decisions::exact(side == Sign::Zero);
+        side != outer && (border.owned || side != Sign::Zero)
+    })
+}

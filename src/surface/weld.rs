@@ -1,0 +1,221 @@
+//! Planes and borders that surfaces share, found when a scene is loaded.
+
+use std::collections::HashMap;
+
+use dashu_ratio::RBig;
+
+use super::Surface;
+use crate::math::exact::{RationalVector, decimal};
+use crate::math::{Blueprint, Line};
+
+/// How far apart planes or lines may be and still be one, in units of the last place of the
+/// largest coordinate, where they are sums or products of the numbers in the file.
+///
+/// The corners of a wall along (1, 1, 0) are irrational, so whoever writes them down rounds them;
+/// and a scene that a program has scaled has every number rounded. Smaller, and decimals written to
+/// the last digit leave gaps; larger, and surfaces that are meant to be apart become one. What is a
+/// single number, such as the height of a floor, is the same only if the number is.
+const ULPS: u8 = 8;
+
+/// A plane or a line that surfaces share.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Weld {
+    /// What is shared.
+    pub what: Welded,
+    /// The surfaces by their places in the file; the first one's numbers decide.
+    pub surfaces: Vec<usize>,
+    /// How far apart they were at most in the file, in world units; 0 if its decimals agree.
+    pub distance: f64,
+}
+
+/// What surfaces can share.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Welded {
+    /// The plane that they lie in.
+    Plane,
+    /// A line along which they meet from both sides.
+    Line,
+}
+
+/// Something with a position, on its way into a group of what is at one position.
+#[derive(Debug)]
+struct Member {
+    /// The position along the direction that the group shares.
+    position: RBig,
+    /// The largest coordinate that went into it.
+    magnitude: f64,
+    /// Whether the position is a single number of the file.
+    single: bool,
+    surface: usize,
+    border: usize,
+    /// Whether normal or border point along the direction that the group shares.
+    forward: bool,
+}
+
+/// Lets surfaces that share a plane or a border line decide by the same numbers.
+///
+/// Lines that surfaces meet from both sides are owned by those on one side, so that a ray
+/// through the line meets exactly one of two neighbours, of four around a corner, of three at a
+/// T-junction.
+pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
+    let blueprints: Vec<_> = surfaces.iter().map(|surface| surface.blueprint()).collect();
+    let mut welds = Vec::new();
+    for plane in planes(&blueprints) {
+        let first = plane[0].surface;
+        let Some(flat) = surfaces[first].flat() else { continue };
+        if plane.len() > 1 {
+            welds.push(Weld::of(Welded::Plane, &plane));
+        }
+        let mut borders: HashMap<usize, Vec<Option<Line>>> = HashMap::new();
+        for line in lines(&plane, &blueprints) {
+            let both_sides = line.iter().any(|member| member.forward != line[0].forward);
+            if !both_sides {
+                continue;
+            }
+            welds.push(Weld::of(Welded::Line, &line));
+            let first = &line[0];
+            let decisive = surfaces[first.surface].borders()[first.border];
+            for member in &line {
+                let normal = |surface: usize| plane.iter().find(|one| one.surface == surface);
+                let same_front = normal(member.surface).map(|one| one.forward)
+                    == normal(first.surface).map(|one| one.forward);
+                let mut own = decisive.for_neighbor(same_front, member.forward == first.forward);
+                own.owned = member.forward;
+                let count = surfaces[member.surface].borders().len();
+                let all = borders.entry(member.surface).or_insert_with(|| vec![None; count]);
+                all[member.border] = Some(own);
+            }
+        }
+        for member in &plane {
+            let borders = borders.remove(&member.surface).unwrap_or_default();
+            if plane.len() > 1 {
+                surfaces[member.surface].weld(&flat, &borders);
+            }
+        }
+    }
+    welds
+}
+
+/// The surfaces in each plane, in file order; the planes too.
+fn planes(blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
+    let mut directions: Vec<(RationalVector, Vec<Member>)> = Vec::new();
+    let mut known: HashMap<RationalVector, usize> = HashMap::new();
+    for (surface, blueprint) in blueprints.iter().enumerate() {
+        let Some(blueprint) = blueprint else { continue };
+        let (direction, turned) = blueprint.normal.canonical();
+        let (length, _) = direction.length();
+        let member = Member {
+            position: direction.dot(&blueprint.point) / length,
+            magnitude: blueprint.point.largest(),
+            single: direction.is_along_an_axis(),
+            surface,
+            border: 0,
+            forward: !turned,
+        };
+        put(&mut directions, &mut known, direction, member);
+    }
+    grouped(directions)
+}
+
+/// The borders on each line of a plane, of surfaces on both sides of it or on one.
+fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
+    let mut directions = Vec::new();
+    let mut known = HashMap::new();
+    if plane.len() < 2 {
+        return Vec::new();
+    }
+    for one in plane {
+        let Some(blueprint) = &blueprints[one.surface] else { continue };
+        let (normal, _) = blueprint.normal.canonical();
+        for (border, line) in blueprint.borders.iter().enumerate() {
+            let (direction, turned) = line.along.canonical();
+            // Seen along the shared normal, the outer side is to the left of a border, and to the
+            // right if its surface faces the other way or the shared direction is turned.
+            let forward = turned != one.forward;
+            let (outer, flipped) = normal.cross(&direction).canonical();
+            let (length, _) = outer.length();
+            let outward = if forward == flipped { -1 } else { 1 };
+            let across = &line.across * RBig::from(outward);
+            let member = Member {
+                position: outer.dot(&line.point) / length + &across,
+                magnitude: line.point.largest() + across.to_f64().value().abs(),
+                single: outer.is_along_an_axis() && across.is_zero(),
+                surface: one.surface,
+                border,
+                forward,
+            };
+            put(&mut directions, &mut known, direction, member);
+        }
+    }
+    grouped(directions)
+}
+
+fn put(
+    directions: &mut Vec<(RationalVector, Vec<Member>)>,
+    known: &mut HashMap<RationalVector, usize>,
+    direction: RationalVector,
+    member: Member,
+) {
+    let index = *known.entry(direction.clone()).or_insert_with(|| {
+        directions.push((direction, Vec::new()));
+        directions.len() - 1
+    });
+    directions[index].1.push(member);
+}
+
+/// The members of each direction, cut into groups of one position each.
+fn grouped(directions: Vec<(RationalVector, Vec<Member>)>) -> Vec<Vec<Member>> {
+    let mut groups: Vec<Vec<Member>> = Vec::new();
+    for (_, mut members) in directions {
+        members.sort_by(|a, b| a.position.cmp(&b.position));
+        let mut start = groups.len();
+        for member in members {
+            let last = groups.get(start..).and_then(|own| own.last()?.last());
+            if last.is_some_and(|last| last.is_at(&member)) {
+                if let Some(group) = groups.last_mut() {
+                    group.push(member);
+                }
+            } else {
+                groups.push(vec![member]);
+            }
+        }
+        start = start.min(groups.len());
+        for group in &mut groups[start..] {
+            group.sort_by_key(|member| (member.surface, member.border));
+        }
+    }
+    groups
+}
+
+impl Member {
+    /// Whether another member, of the same direction, has the same position.
+    fn is_at(&self, other: &Self) -> bool {
+        let apart = &other.position - &self.position;
+        if apart.is_zero() {
+            return true;
+        }
+        if self.single && other.single {
+            return false;
+        }
+        let largest = self.magnitude.max(other.magnitude);
+        let tolerance = decimal(largest.next_up() - largest) * RBig::from(ULPS);
+        apart <= tolerance && -&apart <= tolerance
+    }
+}
+
+impl Weld {
+    fn of(what: Welded, members: &[Member]) -> Self {
+        let positions = || members.iter().map(|member| &member.position);
+        let distance = match (positions().min(), positions().max()) {
+            (Some(low), Some(high)) => (high - low).to_f64().value(),
+            _ => 0.0,
+        };
+        let mut surfaces: Vec<_> = members.iter().map(|member| member.surface).collect();
+        surfaces.dedup();
+        Self {
+            what,
+            surfaces,
+            distance,
+        }
+    }
+}
