@@ -6,7 +6,7 @@ use crate::language::Refusal;
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::scene::Scene;
-use crate::surface::Hit;
+use crate::surface::{Hit, Surface};
 
 use super::Probe;
 
@@ -36,15 +36,22 @@ struct Path {
 }
 
 impl<'a> Tracer<'a> {
-    /// A tracer for this scene.
+    /// A tracer for this scene; `classic` are its surfaces made for other numerics than their own,
+    /// if the scene asks for that ([`crate::surface::classic::surfaces`]).
     ///
     /// # Errors
     /// Refuses a camera that cannot exist.
-    pub fn new(scene: &'a Scene) -> Result<Self, Refusal> {
+    pub fn new(
+        scene: &'a Scene,
+        classic: Option<&'a [Box<dyn Surface + 'a>]>,
+    ) -> Result<Self, Refusal> {
         let camera = scene
             .view
             .camera(scene.picture.width, scene.picture.height)?;
-        let surfaces = SurfaceList::new(&scene.surfaces);
+        let surfaces = match classic {
+            None => SurfaceList::new(&scene.surfaces),
+            Some(classic) => SurfaceList::without_sheets(classic),
+        };
         let lights = scene.lights.iter();
         Ok(Self {
             scene,

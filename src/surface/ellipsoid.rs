@@ -16,7 +16,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic};
-use super::{Common, Hit, Sphere, Surface, globe};
+use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
@@ -153,6 +153,14 @@ impl Surface for Ellipsoid {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let shape = Shape::Ellipsoid {
+            center: self.center,
+            axes: self.axes,
+        };
+        Some(globe::anatomy(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

@@ -14,7 +14,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::Distance;
 use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
@@ -110,6 +110,17 @@ impl Surface for FinitePlane {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let Rectangle {
+            flat, frame, size, ..
+        } = self.rectangle;
+        Some(Anatomy::plain(Shape::Rectangle {
+            corner: flat.point,
+            axes: [frame.x, frame.y, flat.normal],
+            size,
+        }))
     }
 
     fn describe(&self) -> Node {

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic};
-use super::{Common, Hit, Surface, globe};
+use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
@@ -116,6 +116,14 @@ impl Surface for Sphere {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let shape = Shape::Sphere {
+            center: self.center,
+            radius: self.radius,
+        };
+        Some(globe::anatomy(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {

@@ -15,7 +15,7 @@
 
 use glam::DVec3;
 
-use super::{Common, FinitePlane, Hit, Surface};
+use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::Distance;
 use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
@@ -107,6 +107,10 @@ impl Surface for TexturePlane {
 
     fn common(&self) -> &Common {
         self.plane.common()
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Image(&self.image)))
     }
 
     fn describe(&self) -> Node {

@@ -13,7 +13,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::band::{MOMENT, UNDERFLOW};
 use crate::math::exact::Distance;
@@ -122,6 +122,13 @@ impl Surface for Triangle {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(Anatomy::plain(Shape::Triangle {
+            vertices: self.vertices,
+            normal: self.flat.normal,
+        }))
     }
 
     fn describe(&self) -> Node {
