@@ -5,7 +5,7 @@
 //! - Surfaces and lights are symmetric: no product or sum rounds −x in another way than x.
 //! - Cameras are so only if they look at right angles to x and the columns' places are exact: columns
 //!   are counted from the left, and 1 − 0.3 is not 0.7. Here a window of 64 steps of 1/16 for 65 pixels,
-//!   and an angle of view whose tangent is a power of two.
+//!   and an angle of view whose half has the tangent 1/2, for pictures as wide as high or twice that.
 //! - Rectangles have a corner, and a mirrored one has it on the other side if it is to face the same
 //!   way, so its hits round in another way. Here they are turned around instead and have no lights.
 //! - Samples are not placed symmetrically; so there is one for each pixel.
@@ -58,7 +58,7 @@ fn flipped(film: &Film) -> Film {
 
 const CAMERAS: [&str; 3] = [
     "image 65 49\n camera { viewpoint 0.1 1.3 6; screen 4 3 origin=\"center\"; screen-at 0 1.5 0 }",
-    "image 64 48\n camera { viewpoint 0.3 1.1 5; look-at 0.3 1.1 -9; field-of-view FIELD }",
+    "image 64 32\n camera { viewpoint 0.3 1.1 5; look-at 0.3 1.1 -9; field-of-view FIELD }",
     "image 64 64\n camera { viewpoint -0.7 2.1 5; look-at -0.7 0.9 -4; field-of-view FIELD }",
 ];
 

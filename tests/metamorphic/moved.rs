@@ -11,12 +11,11 @@ use super::subject::{Subject, difference, fail_on};
 const GRID: f64 = 1_048_576.0; // 2^20
 
 /// The moves on the grid: every coordinate stays exact, since 2^30 / 2^-20 has no more than 53 bits.
-const MOVES: [[f64; 3]; 5] = [
+const MOVES: [[f64; 3]; 4] = [
     [1e9, 0.0, 0.0],
-    [0.0, -1e9, 0.0],
-    [0.0, 0.0, 1e9],
-    [-1e9, 1e9, -1e9],
-    [0.5, 3.0 / GRID, -1234.0 - 5.0 / GRID],
+    [0.5, -1e9, 3.0 / GRID],
+    [0.0, -1234.0, 1e9],
+    [-1e9, 1e9 - 5.0 / GRID, -1e9],
 ];
 
 /// The same scene in another place.
@@ -127,7 +126,7 @@ fn assert_hardly_any_changes(subjects: Vec<Subject>) {
     for subject in subjects {
         let expected = subject.film();
         for far in [1_000_000, 1_000_000_000] {
-            for way in [[far, 0, 0], [0, -far, far], [-far, far, 0]] {
+            for way in [[far, 0, -far], [-far, far, 0]] {
                 let found = moved_as_decimals(&subject, way).film();
                 let count = unlike(&expected, &found);
                 pixels += expected.pixels().len();

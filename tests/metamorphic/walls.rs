@@ -143,7 +143,7 @@ impl Wall {
             let up = self.steps[1].map(decimal).join(" ");
             let (target, eye) = (decimals(target), decimals(eye));
             cameras.push(format!(
-                "image 63 63
+                "image 41 41
                 camera {{ viewpoint {eye}; look-at {target}; up {up}; field-of-view 70 }}"
             ));
         }
@@ -154,7 +154,7 @@ impl Wall {
             let up = self.steps[1].map(decimal).join(" ");
             let (target, eye) = (decimals(target), decimals(eye));
             cameras.push(format!(
-                "image 64 48
+                "image 48 36
                 camera {{ viewpoint {eye}; look-at {target}; up {up}; field-of-view 80 }}"
             ));
         }
@@ -177,11 +177,12 @@ impl Wall {
         );
         let Self { normal, .. } = self;
         format!(
-            "material \"back\" {{ ambient 40 0 40; diffuse 60 }}
+            "lighting {{ view-falloff none }}
+            material \"back\" {{ ambient 0.3 0 0.3; diffuse 0.4 }}
             material \"mirror\" {{ specular 0.8 }}
             plane {{ material \"back\"; point {back}; normal {normal} }}
             plane {{ material \"mirror\"; point {mirror}; normal {facing} }}
-            light {{ location {light}; emissivity 5 }}\n"
+            light {{ location {light}; emissivity 1 }}\n"
         )
     }
 }
@@ -208,15 +209,17 @@ fn complaints(material: &str) -> Vec<String> {
 
 #[test]
 fn a_wall_of_tiles_is_the_wall() {
-    fail_on(complaints("ambient 1 2 3; diffuse 2"));
+    fail_on(complaints("ambient 0.1 0.2 0.3; diffuse 0.3"));
 }
 
 #[test]
 fn a_mirror_of_tiles_is_the_mirror() {
-    fail_on(complaints("ambient 0.1; specular 0.9; diffuse 1"));
+    fail_on(complaints("ambient 0.1; specular 0.7; diffuse 0.3"));
 }
 
 #[test]
 fn a_pane_of_tiles_is_the_pane() {
-    fail_on(complaints("ambient 0.1; diffuse 1 2 3; transparency 0.5"));
+    fail_on(complaints(
+        "ambient 0.1; diffuse 0.1 0.2 0.3; transparency 0.5",
+    ));
 }
