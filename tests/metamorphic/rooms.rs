@@ -115,7 +115,7 @@ impl Room {
 
 fn picture(dice: &mut Dice, low: [f64; 3], high: [f64; 3], text: &mut String) {
     let [width, height] = SIZE;
-    let samples = 1 + dice.below(2);
+    let samples = 1 + usize::from(dice.below(4) == 0);
     let _ = writeln!(text, "image {width} {height} samples={samples}");
     let fading = ["inverse", "inverse", "none", "inverse-square"];
     let (light, view) = (dice.pick(&fading), dice.pick(&fading));
@@ -127,9 +127,17 @@ fn picture(dice: &mut Dice, low: [f64; 3], high: [f64; 3], text: &mut String) {
     );
     let eye = triple(eye);
     if dice.below(2) == 0 {
-        let at = triple([dice.decimal(-2.5, -1.5), dice.decimal(-0.5, 0.5), screen]);
         let (width, height) = (dice.decimal(3.0, 4.0), dice.decimal(2.0, 3.0));
-        let window = format!("screen {width} {height}; screen-at {at}");
+        let (origin, [x, y]) = match dice.below(2) {
+            0 => ("corner", [-2.0, 0.0]),
+            _ => ("center", [0.0, 1.3]),
+        };
+        let at = triple([
+            x + dice.decimal(-0.5, 0.5),
+            y + dice.decimal(-0.5, 0.5),
+            screen,
+        ]);
+        let window = format!("screen {width} {height} origin={origin}; screen-at {at}");
         let _ = writeln!(text, "camera {{ viewpoint {eye}; {window} }}");
     } else {
         let target = triple(dice.triple([-1.0, 0.5, -5.0], [1.0, 2.0, -3.0]));
