@@ -86,6 +86,13 @@ impl Wall {
         [0, 1, 2].map(|axis| self.corner[axis] + (x[axis] * halves[0] + y[axis] * halves[1]) / 2)
     }
 
+    /// The normal, as long as a tile is wide.
+    fn across(&self) -> [i64; 3] {
+        let [x, y] = self.steps;
+        let cross = |a: usize, b: usize| (x[a] * y[b] - x[b] * y[a]) / self.side;
+        [cross(1, 2), cross(2, 0), cross(0, 1)]
+    }
+
     /// A part of the wall as a finite plane: the corner and the size in tiles.
     fn part(&self, at: [i64; 2], size: [i64; 2]) -> String {
         let corner = decimals(self.point(at.map(|tiles| 2 * tiles)));
@@ -132,11 +139,9 @@ impl Wall {
                 camera {{ viewpoint {eye}; screen {w} {h}; screen-at {at} }}"
             ));
         }
-        // Straight at a crossing of joints, at a joint and at the middle of a tile, from an eye that
-        // is as far away along the normal, in millionths, as these say.
-        let [x, y] = self.steps;
-        let cross = |a: usize, b: usize| (x[a] * y[b] - x[b] * y[a]) / self.side;
-        let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        // Straight at a crossing of joints, at a joint, at the middle of a tile, and at a crossing
+        // again; from an eye that is so many tiles away along the normal.
+        let normal = self.across();
         for (halves, far) in [([6, 12], 10), ([6, 13], 10), ([7, 13], 10), ([2, 4], 3)] {
             let target = self.point(halves);
             let eye = [0, 1, 2].map(|axis| target[axis] + normal[axis] * far);
@@ -164,9 +169,7 @@ impl Wall {
     /// A bright plane behind the wall, which shines through any gap and receives its shadow, a
     /// mirror beside it and a light before it.
     fn surroundings(&self) -> String {
-        let [x, y] = self.steps;
-        let cross = |a: usize, b: usize| (x[a] * y[b] - x[b] * y[a]) / self.side;
-        let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        let normal = self.across();
         let shift = |from: [i64; 3], tiles: i64| {
             decimals([0, 1, 2].map(|axis| from[axis] + normal[axis] * tiles))
         };
