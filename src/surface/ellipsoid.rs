@@ -76,7 +76,7 @@ impl Ellipsoid {
             let reason = "radius times scale is out of range";
             let refusal = Refusal::new("scale", reason, "choose a larger unit of length");
             return Err(
-                refusal.expected("expected a product of no more than 1.6e60, which is 2^200")
+                refusal.expected("expected a product of no more than 1.8e75, which is 2^250")
             );
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
