@@ -1,5 +1,6 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
+mod receivers;
 mod shadows;
 mod supports;
 

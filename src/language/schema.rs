@@ -156,6 +156,9 @@ impl Range {
     /// are still finite, so a scene of usual size can be scaled by 2²⁰⁰.
     pub const LARGEST: f64 = f64::from_bits((1023 + 250) << 52);
 
+    /// The smallest radius of a round thing, 2^-250: the squares of its reciprocal must be numbers.
+    pub const SMALLEST_RADIUS: f64 = f64::from_bits((1023 - 250) << 52);
+
     /// Whether a number lies in the range.
     #[must_use]
     pub fn contains(self, number: f64) -> bool {

@@ -68,7 +68,7 @@ fn pixel_color(
     }
     let mut sum = Rgb::BLACK;
     for (dx, dy) in samples(column, from_bottom, scene.picture.samples) {
-        sum += tracer.sees(x + dx, y + dy, probe);
+        sum = (sum + tracer.sees(x + dx, y + dy, probe)).saturated();
     }
     sum / f64::from(scene.picture.samples)
 }

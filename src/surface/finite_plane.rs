@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
@@ -133,6 +133,10 @@ impl Surface for FinitePlane {
 
     fn outline(&self) -> Vec<DVec3> {
         self.rectangle.corners().to_vec()
+    }
+
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        Some(self.rectangle.exact_corners().to_vec())
     }
 
     fn borders(&self) -> Vec<Line> {

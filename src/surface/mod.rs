@@ -12,7 +12,7 @@ use std::fmt;
 use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 
 pub use anatomy::{Anatomy, Cover, Shape};
@@ -74,6 +74,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The corners of a flat surface that has an end, in order around it; empty for others.
     fn outline(&self) -> Vec<DVec3> {
         Vec::new()
+    }
+
+    /// Points whose convex hull holds the surface, exactly; `None` if it has no end.
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        None
     }
 
     /// The box around the surface, if it is bounded.

@@ -17,7 +17,7 @@ use glam::DVec3;
 
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
@@ -124,6 +124,10 @@ impl Surface for TexturePlane {
 
     fn outline(&self) -> Vec<DVec3> {
         self.plane.outline()
+    }
+
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        self.plane.hull()
     }
 
     fn borders(&self) -> Vec<Line> {
