@@ -31,6 +31,7 @@ mod subject;
 mod table;
 
 use std::fs;
+use std::sync::atomic::Ordering;
 
 use table::Outcome;
 
@@ -43,8 +44,10 @@ fn the_table_shows_what_each_back_end_answers() {
     let rows = table::run(cases::all());
     for (_, outcomes) in &rows {
         for (outcome, back_end) in outcomes.iter().zip(subject::BackEnd::ALL) {
-            if let Outcome::Fail(what) = outcome {
-                println!("{}: {what}", back_end.word());
+            if let Outcome::Fail(complaints) = outcome {
+                for what in complaints {
+                    println!("{}: {what}", back_end.word());
+                }
             }
         }
     }
@@ -53,6 +56,11 @@ fn the_table_shows_what_each_back_end_answers() {
     let (written, after) = rest.split_once(END).expect("the table ends");
     let table = table::table(&rows);
     if written == table {
+        let rewritten = cases::REWRITTEN.load(Ordering::Relaxed);
+        assert!(
+            !rewritten,
+            "a case file was rewritten; look at it and run the test again"
+        );
         return;
     }
     if std::env::var_os("HELIODON_UPDATE").is_some() {

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use kdl::{KdlDocument, KdlNode, KdlValue};
 
@@ -161,6 +162,21 @@ impl Case {
 /// The folder of the case files.
 pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hard_cases")
+}
+
+/// Whether a case file was rewritten.
+pub(crate) static REWRITTEN: AtomicBool = AtomicBool::new(false);
+
+/// Replaces a text in the case files.
+pub(crate) fn replace(old: &str, new: &str) {
+    for (file, _) in GROUPS {
+        let file = folder().join(file).with_extension("kdl");
+        let text = fs::read_to_string(&file).unwrap();
+        if text.contains(old) {
+            fs::write(&file, text.replace(old, new)).unwrap();
+            REWRITTEN.store(true, Ordering::Relaxed);
+        }
+    }
 }
 
 /// All cases, in the order of the catalogue.

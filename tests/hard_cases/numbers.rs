@@ -64,8 +64,13 @@ pub(crate) fn triple(text: &str) -> [f64; 3] {
     words(text).map(double)
 }
 
-/// The double so many steps above (or below) this one.
+/// The double so many steps above (or below) this one; from zero, multiples of 2^-200.
+///
+/// Products of four of these are still above all denormals, which have cases of their own.
 pub(crate) fn stepped(double: f64, steps: i32) -> f64 {
+    if double == 0.0 {
+        return f64::from(steps) * 2f64.powi(-200);
+    }
     let next = if steps < 0 {
         f64::next_down
     } else {

@@ -24,7 +24,7 @@ pub(crate) struct Oracle {
 
 #[derive(Debug)]
 enum Shape {
-    Flat(Flat),
+    Flat(Box<Flat>),
     /// Centre and half axes.
     Round(Vector, Vector),
     /// What the oracle does not know; asking about it is a mistake in the case.
@@ -140,11 +140,11 @@ fn on_grid(place: &RBig, pitch: f64) -> IBig {
 impl Shape {
     fn of(node: &Node) -> Self {
         match node.schema.word {
-            "plane" | "tiled-plane" | "procedural-plane" => Self::Flat(Flat {
+            "plane" | "tiled-plane" | "procedural-plane" => Self::Flat(Box::new(Flat {
                 point: vector(node.triple("point")),
                 normal: vector(node.triple("normal")),
                 size: None,
-            }),
+            })),
             "finite-plane" | "texture-plane" => {
                 let normal = vector(node.triple("normal"));
                 let xdir = vector(node.triple("xdir"));
@@ -154,7 +154,7 @@ impl Shape {
                 let texel = node
                     .entry("texture")
                     .and_then(|entry| entry.property("texel"));
-                Self::Flat(Flat {
+                Self::Flat(Box::new(Flat {
                     point: vector(node.triple("point")),
                     size: Some(Size {
                         axes: [shortened(x), shortened(y)],
@@ -162,7 +162,7 @@ impl Shape {
                         texel: texel.map(|texel| texel.pair().to_array()),
                     }),
                     normal,
-                })
+                }))
             }
             "sphere" => {
                 let radius = of(node.number("radius"));
@@ -193,7 +193,7 @@ fn shortened(vector: Vector) -> Vector {
     if others != 1 {
         return vector;
     }
-    vector.map(|part| part.signum().into())
+    vector.map(|part| part.signum())
 }
 
 /// The distance at which a ray enters an ellipsoid from outside; the root is rounded, the decision is not.

@@ -130,7 +130,12 @@ pub(crate) fn texel(node: &Node, met: &Met<'_>, index: u32) -> Answer {
         if start == "*" {
             continue;
         }
-        let expected = (double(start) + f64::from(index) * steps[axis]).rem_euclid(size[axis]);
+        let moved = double(start) + f64::from(index) * steps[axis];
+        let expected = if index == 0 {
+            moved
+        } else {
+            moved.rem_euclid(size[axis])
+        };
         if found[axis].to_bits() != expected.to_bits() {
             let what = ["column", "row"][axis];
             return Err(format!("texel {what} {}, expected {expected}", found[axis]));

@@ -9,25 +9,34 @@ use crate::numbers::{exact, meant, nearest, triple};
 /// The nodes of the header that a scene replaces by its own.
 const OWN: [&str; 3] = ["image", "camera", "lighting"];
 
-/// A scene with the header before it.
+/// A scene with the header, as one pixel that is seen from the eye straight at a point.
+pub(crate) fn looking(text: &str, eye: &str, point: &str, up: &str) -> String {
+    let replaced = ["image", "camera"];
+    let kept = text
+        .lines()
+        .filter(|line| !replaced.contains(&first_word(line)));
+    let kept = kept.collect::<Vec<_>>().join("\n");
+    let camera = format!("camera {{ viewpoint {eye}; look-at {point}; up {up} }}");
+    whole(&format!("{kept}\nimage 1 1\n{camera}"))
+}
+
+/// A scene with the header after it.
 pub(crate) fn whole(text: &str) -> String {
     let header = std::fs::read_to_string(folder().join("header.kdl")).unwrap();
-    let first_word = |line: &str| {
-        line.split_whitespace()
-            .next()
-            .unwrap_or_default()
-            .to_owned()
-    };
-    let own: Vec<_> = text
+    let own = text
         .lines()
         .map(first_word)
-        .filter(|word| OWN.contains(&word.as_str()))
-        .collect();
+        .filter(|word| OWN.contains(word));
+    let own: Vec<_> = own.collect();
     let kept = header
         .lines()
         .filter(|line| !own.contains(&first_word(line)));
     // The scene comes first, so that its lines keep their numbers.
     format!("{text}\n{}\n", kept.collect::<Vec<_>>().join("\n"))
+}
+
+fn first_word(line: &str) -> &str {
+    line.split_whitespace().next().unwrap_or_default()
 }
 
 /// A scene from nodes.
@@ -106,7 +115,7 @@ pub(crate) fn split(nodes: &[Node], name: &str, columns: u32, rows: u32) -> Vec<
             match entry.attribute.word {
                 "point" => entry.value = Some(Value::Triple(point)),
                 "dimensions" => {
-                    entry.value = Some(Value::Pair([nearest(&tile[0]), nearest(&tile[1])]))
+                    entry.value = Some(Value::Pair([nearest(&tile[0]), nearest(&tile[1])]));
                 }
                 _ => {}
             }

@@ -16,8 +16,8 @@ use crate::{aimed, loading, pictures, rays};
 pub(crate) enum Outcome {
     /// Every question was answered rightly.
     Pass,
-    /// The first complaint.
-    Fail(String),
+    /// What is wrong with the answers.
+    Fail(Vec<String>),
     /// It was not asked.
     NotAsked,
 }
@@ -38,20 +38,27 @@ fn outcome(case: &Case, back_end: BackEnd) -> Outcome {
     if case.later.is_some() || !back_end.exists() {
         return Outcome::NotAsked;
     }
-    for question in &case.questions {
+    let complaints = case.questions.iter().filter_map(|question| {
         let answer = catch_unwind(AssertUnwindSafe(|| answer(question, case, back_end)));
         let answer = answer.unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().cloned();
             let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
             Err(format!("panics: {}", text.unwrap_or_default()))
         });
-        if let Err(what) = answer {
-            let values: Vec<_> = question.values.iter().map(|value| value.trim()).collect();
-            let asked = format!("{} {}", question.word, values.join(" | "));
-            return Outcome::Fail(format!("{} {asked}: {what}", case.id));
-        }
+        let what = answer.err()?;
+        let values: Vec<_> = question.values.iter().map(|value| value.trim()).collect();
+        let scene = question
+            .get("in")
+            .map_or(String::new(), |name| format!(" in {name:?}"));
+        let asked = format!("{} {}{scene}", question.word, values.join(" | "));
+        Some(format!("{}: {}: {what}", case.id, asked.trim()))
+    });
+    let complaints: Vec<_> = complaints.collect();
+    if complaints.is_empty() {
+        Outcome::Pass
+    } else {
+        Outcome::Fail(complaints)
     }
-    Outcome::Pass
 }
 
 fn answer(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
