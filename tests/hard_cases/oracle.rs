@@ -26,7 +26,7 @@ pub(crate) struct Oracle {
 enum Shape {
     Flat(Box<Flat>),
     /// Centre and half axes.
-    Round(Vector, Vector),
+    Round(Box<[Vector; 2]>),
     /// What the oracle does not know; asking about it is a mistake in the case.
     Unknown,
 }
@@ -167,12 +167,12 @@ impl Shape {
             "sphere" => {
                 let radius = of(node.number("radius"));
                 let axes = [(); 3].map(|()| radius.clone());
-                Self::Round(vector(node.triple("center")), axes)
+                Self::Round(Box::new([vector(node.triple("center")), axes]))
             }
             "ellipsoid" => {
                 let radius = of(node.number("radius"));
                 let axes = vector(node.triple("scale")).map(|scale| scale * &radius);
-                Self::Round(vector(node.triple("center")), axes)
+                Self::Round(Box::new([vector(node.triple("center")), axes]))
             }
             _ => Self::Unknown,
         }
@@ -181,7 +181,7 @@ impl Shape {
     fn meets(&self, origin: &Vector, direction: &Vector) -> Option<RBig> {
         match self {
             Self::Flat(flat) => flat.meets(origin, direction),
-            Self::Round(center, axes) => enters(origin, direction, center, axes),
+            Self::Round(round) => enters(origin, direction, &round[0], &round[1]),
             Self::Unknown => panic!("there is no exact arithmetic for this kind of surface"),
         }
     }
