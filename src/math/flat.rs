@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
+use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW, UNIT};
 use super::exact::{Distance, ExactVector, RationalVector, Sign};
 use super::{Decisions, Point, Ray, Segment, Span};
 use crate::language::Refusal;
@@ -14,7 +14,10 @@ pub struct Flat {
     pub point: DVec3,
     /// The unit normal, on the plane's front side.
     pub normal: DVec3,
-    /// The point from which heights are *decided*: that of the first surface in this plane.
+    /// The normal by which heights are *decided*: the same for all surfaces in this plane, but
+    /// for its sign, and no further from `normal` than rounding.
+    decisive: DVec3,
+    /// The point from which heights are *decided*: the same for all surfaces in this plane.
     base: DVec3,
     /// How far at most `point` lies from the plane through `base`, and what underflow can add.
     slack: f64,
@@ -74,6 +77,7 @@ impl Flat {
         Self {
             point,
             normal,
+            decisive: normal,
             base: point,
             slack: UNDERFLOW,
             doubt: HEIGHT * Point::exact(point).size() + UNDERFLOW,
@@ -83,13 +87,17 @@ impl Flat {
     /// The same plane through the same point, but decided as that of another surface.
     #[must_use]
     pub fn welded(&self, to: &Self) -> Self {
-        let turned = self.normal.dot(to.normal) < 0.0;
-        let normal = if turned { -to.normal } else { to.normal };
+        let turned = self.normal.dot(to.decisive) < 0.0;
+        let decisive = if turned { -to.decisive } else { to.decisive };
+        // Within one rounding of each component, the surface keeps its own.
+        let same = (self.normal - decisive).abs().max_element() <= 2.0 * UNIT;
+        let normal = if same { self.normal } else { decisive };
         let way = Point::exact(self.point).exactly_from(to.base);
         // The exact height was rounded once.
-        let apart = way.dot(&ExactVector::from(normal)).to_f64().abs().next_up();
+        let apart = way.dot(&decisive.into()).to_f64().abs().next_up();
         let unwelded = Self::with_unit_normal(self.point, normal);
         Self {
+            decisive,
             base: to.base,
             slack: unwelded.slack + apart,
             doubt: unwelded.doubt + apart,
@@ -97,13 +105,49 @@ impl Flat {
         }
     }
 
+    /// A plane whose point is so far from an eye that the rounding of the normal alone would move
+    /// it before the eye's very feet is taken through the foot of the eye's perpendicular instead.
+    ///
+    /// # Errors
+    /// Refuses a zero normal.
+    pub fn near(eye: DVec3, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+        // Half of a double's digits.
+        const FAR: f64 = 67_108_864.0; // 2^26
+        let plane = Self::new(point, normal)?;
+        if (point - eye).length() <= FAR * plane.normal.dot(point - eye).abs() {
+            return Ok(plane);
+        }
+        let given = RationalVector::of_decimals(normal);
+        let way = &RationalVector::of_decimals(point) - &RationalVector::of_decimals(eye);
+        let share = given.dot(&way) / given.dot(&given);
+        let foot = &RationalVector::of_decimals(eye) + &given.times(&share);
+        let base = foot.rounded();
+        let is_far = (point - eye).length() > FAR * (base - eye).length();
+        Ok(if is_far {
+            Self::with_unit_normal(base, plane.normal)
+        } else {
+            plane
+        })
+    }
+
+    /// The normal by which heights are decided.
+    #[must_use]
+    pub fn decisive_normal(&self) -> DVec3 {
+        self.decisive
+    }
+
     /// The numbers that decide: the same for every surface in this plane, on either side of it.
     #[must_use]
     pub fn decisive(&self) -> [DVec3; 2] {
-        let [x, y, z] = self.normal.to_array();
+        let [x, y, z] = self.decisive.to_array();
         let turned = x < 0.0 || x == 0.0 && (y < 0.0 || y == 0.0 && z < 0.0);
         // Adding zero turns −0 into +0, which is the same plane.
-        let normal = if turned { -self.normal } else { self.normal } + DVec3::ZERO;
+        let normal = if turned {
+            -self.decisive
+        } else {
+            self.decisive
+        };
+        let normal = normal + DVec3::ZERO;
         [self.base + DVec3::ZERO, normal]
     }
 
@@ -127,13 +171,17 @@ impl Flat {
         if height.abs() > 2.0 * HEIGHT * point.size() + self.doubt {
             return Side::of(Sign::of(height));
         }
-        Side::of((exact - &self.base.into()).dot(&self.normal.into()).sign())
+        Side::of(
+            (exact - &self.base.into())
+                .dot(&self.decisive.into())
+                .sign(),
+        )
     }
 
     /// Whether another plane has this normal or the opposite one.
     #[must_use]
     pub fn is_parallel(&self, other: &Self) -> bool {
-        self.normal == other.normal || self.normal == -other.normal
+        self.decisive == other.decisive || self.decisive == -other.decisive
     }
 
     /// Whether this plane lies on this side of a parallel one.
@@ -144,7 +192,7 @@ impl Flat {
 
     /// The sign of the height of a point above the plane, exactly.
     fn exact_side(&self, point: &Point) -> Sign {
-        let height = point.exactly_from(self.base).dot(&self.normal.into());
+        let height = point.exactly_from(self.base).dot(&self.decisive.into());
         Decisions::note(height.sign() == Sign::Zero);
         height.sign()
     }
@@ -160,7 +208,7 @@ impl Flat {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let doubt = self.doubt + ray.doubt;
-        let start = if height.abs() > doubt {
+        let start = if height.abs() > doubt + ray.astray {
             Sign::of(-height)
         } else {
             self.side_of_origin(ray)
@@ -195,7 +243,7 @@ impl Flat {
             rises,
             doubt,
         };
-        if height.abs() > doubt && slope.abs() > SLOPE {
+        if height.abs() > doubt + ray.astray && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
@@ -204,7 +252,7 @@ impl Flat {
     /// Whether the crossing lies ahead, where rounded values leave doubt.
     #[cold]
     fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
-        let exact = ExactVector::from(ray.dir).dot(&self.normal.into());
+        let exact = ExactVector::from(ray.dir).dot(&self.decisive.into());
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
         let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
@@ -222,33 +270,33 @@ impl Flat {
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
-    /// one on which that ray started; and if it started within rounding of the plane, the side to
-    /// which it went. So nothing leaks through the edges and corners of a room.
+    /// one on which that ray started, which may in its turn have left a surface close to this
+    /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
+    /// through the edges and corners of a room.
     #[cold]
     fn side_of_origin(&self, ray: &Ray) -> Sign {
         let Some(departure) = ray.departure else {
             return self.exact_side(&ray.origin);
         };
-        let rounding = departure.rounding();
+        if departure
+            .flat
+            .is_some_and(|flat| flat.decisive() == self.decisive())
+        {
+            Decisions::note(true);
+            return ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+        }
         let (way, size) = ray.origin.seen_from(self.point);
         let height = self.normal.dot(way);
-        if height.abs() > HEIGHT * size + self.slack + rounding {
+        if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
             return Sign::of(height);
         }
-        let (way, size) = departure.before.seen_from(self.point);
-        let height = self.normal.dot(way);
-        Decisions::note(true);
-        if height.abs() > HEIGHT * size + self.slack + rounding {
-            return Sign::of(height);
-        }
-        let went = ExactVector::from(departure.arrival).dot(&self.normal.into());
-        went.sign()
+        self.side_of_origin(departure.arriving)
     }
 
     /// The distance at which a ray meets the plane, exactly.
     #[must_use]
     pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        let normal = ExactVector::from(self.normal);
+        let normal = ExactVector::from(self.decisive);
         let slope = normal.dot(&ray.dir.into());
         let height = -&ray.origin.exactly_from(self.base).dot(&normal);
         (slope.sign() != Sign::Zero).then(|| Distance::quotient(height, slope))

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::Flat;
 use super::band::{FOOT, HEIGHT, UNIT};
 use super::exact::ExactVector;
 use super::vector::reflected;
@@ -76,48 +77,57 @@ pub struct Ray<'a> {
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
-    pub departure: Option<&'a Departure>,
-    /// The ray's share in what a height above a plane can be off by: what rounding its origin
-    /// took, and takes again when the way to the plane's point is computed.
+    pub departure: Option<&'a Departure<'a>>,
+    /// The ray's share in what a height above a plane can be off by when the way to the plane's
+    /// point is computed.
     pub(crate) doubt: f64,
+    /// A bound of how far its origin lies from where it ought to.
+    pub(crate) astray: f64,
 }
 
 /// A hit from which other rays start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Departure {
+pub struct Departure<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
     pub support: Option<Support>,
+    /// The surface's plane, if it is flat.
+    pub flat: Option<&'a Flat>,
     /// The hit.
     pub point: Point,
-    /// Where the ray that arrived had started.
-    pub before: Point,
-    /// Where the ray that arrived went.
-    pub arrival: DVec3,
+    /// The ray that arrived there.
+    pub arriving: &'a Ray<'a>,
     /// How far at most the distance to the hit is from the exact one.
     error: f64,
     doubt: f64,
+    astray: f64,
 }
 
-impl Departure {
+impl<'a> Departure<'a> {
     /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
-    pub fn new(support: Option<Support>, arriving: &Ray<'_>, point: Point, error: f64) -> Self {
-        let doubt = (FOOT / HEIGHT) * arriving.doubt + (FOOT + HEIGHT) * point.size() + 2.0 * error;
+    pub fn new(
+        (support, flat): (Option<Support>, Option<&'a Flat>),
+        arriving: &'a Ray<'a>,
+        point: Point,
+        error: f64,
+    ) -> Self {
+        let size = point.size();
         Self {
             support,
+            flat,
             point,
-            before: arriving.origin,
-            arrival: arriving.dir,
+            arriving,
             error,
-            doubt,
+            doubt: HEIGHT * size,
+            astray: (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
         }
     }
 
     /// How far at most the point lies from where the ray that arrived met the surface.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        let (_, size) = self.before.seen_from(self.point.anchor);
+        let (_, size) = self.arriving.origin.seen_from(self.point.anchor);
         FOOT * (size + self.point.offset.abs().element_sum()) + 2.0 * self.error
     }
 }
@@ -132,18 +142,20 @@ impl<'a> Ray<'a> {
             dir,
             departure: None,
             doubt: HEIGHT * origin.size(),
+            astray: 0.0,
         }
     }
 
     /// A ray that starts from a hit.
     #[must_use]
-    pub fn leaving(departure: &'a Departure, dir: DVec3) -> Self {
+    pub fn leaving(departure: &'a Departure<'a>, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
         Self {
             origin: departure.point,
             dir,
             departure: Some(departure),
             doubt: departure.doubt,
+            astray: departure.astray,
         }
     }
 
@@ -157,7 +169,7 @@ impl<'a> Ray<'a> {
     /// How far at most its origin lies from where it ought to.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        self.departure.map_or(0.0, Departure::rounding)
+        self.departure.map_or(0.0, |departure| departure.rounding())
     }
 
     /// The sheet that it starts from.

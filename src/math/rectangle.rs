@@ -148,7 +148,12 @@ impl Rectangle {
         let inside = if certain {
             true
         } else {
-            inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
+            inside_all(
+                &self.borders,
+                ray,
+                self.flat.decisive_normal(),
+                crossing.rises,
+            )
         };
         inside.then(|| DVec2::new(x, y))
     }

@@ -99,7 +99,7 @@ impl Triangle {
             certain &= side > doubt;
         }
         if certain {}
-        certain || inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
+        certain || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing.rises)
     }
 }
 
@@ -139,8 +139,8 @@ impl Surface for Triangle {
             .with("vertex3", c)
     }
 
-    fn flat(&self) -> Option<Flat> {
-        Some(self.flat)
+    fn flat(&self) -> Option<&Flat> {
+        Some(&self.flat)
     }
 
     fn outline(&self) -> Vec<DVec3> {
