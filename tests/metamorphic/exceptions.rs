@@ -70,7 +70,7 @@ pub(super) const EXCEPTIONS: [Exception; 6] = [
         reason: "texels of a given size end at multiples of its decimal, such as 0.3 for three of \
                  0.1, which is not what a scaled double says; rays aimed at such a line notice",
         example: r#"image 3 1
-            camera { viewpoint 0.5 0.0625 1; screen 1 1 }
+            camera { viewpoint 0.5 0.0625 1; look-at 0.5 0.0625 0 }
             texture-plane {
                 material "red"; point 0 0 0; normal 0 0 1; xdir 1 0 0; dimensions 2 2
                 texture "arrow" mode="repeat" texel=0.1 }"#,
