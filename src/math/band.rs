@@ -10,7 +10,7 @@
 //! arithmetic, but cannot decide wrongly.
 
 /// Half of the distance from 1 to the next double: the largest relative rounding.
-pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+pub const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// Below this, products of doubles can lose bits to underflow; such values are always decided
 /// exactly. It stands for no length: it is the smallest double of full precision.

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW, UNIT};
+use super::band::{HEIGHT, SLOPE, UNDERFLOW, UNIT};
 use super::exact::{Distance, ExactVector, RationalVector, Sign};
-use super::{Decisions, Point, Ray, Segment, Span};
+use super::{Crossing, Decisions, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A plane through a point, with a unit normal.
@@ -23,32 +23,6 @@ pub struct Flat {
     slack: f64,
     /// The plane's share in what a height above it can be off by; see [`Ray`]'s.
     doubt: f64,
-}
-
-/// The side of a surface that a point is on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Where the normal points: the side that is lit.
-    Front,
-    /// Exactly on the surface.
-    On,
-    /// Behind, or inside of a closed surface.
-    Back,
-}
-
-/// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
-#[derive(Debug, Clone, Copy)]
-pub struct Crossing {
-    /// From the plane's point to the ray's origin.
-    pub origin: DVec3,
-    /// How far the origin lies behind the plane, along the normal: `N = −n·c`.
-    pub height: f64,
-    /// How much the ray rises along the normal per unit of `t`: `D = n·d`.
-    pub slope: f64,
-    /// Whether the ray rises along the normal; the sign of the slope, for certain.
-    pub rises: bool,
-    /// How far at most the height is from the true one.
-    pub doubt: f64,
 }
 
 impl Flat {
@@ -321,51 +295,6 @@ impl Flat {
             anchor: self.point,
             offset: offset - self.normal * self.normal.dot(offset),
         }
-    }
-}
-
-impl Side {
-    /// The side that the sign of a height above a surface stands for.
-    #[must_use]
-    pub fn of(height: Sign) -> Self {
-        match height {
-            Sign::Negative => Self::Back,
-            Sign::Zero => Self::On,
-            Sign::Positive => Self::Front,
-        }
-    }
-
-    /// The other side; there is none of what lies on the surface.
-    #[must_use]
-    pub fn opposite(self) -> Option<Self> {
-        match self {
-            Self::Front => Some(Self::Back),
-            Self::On => None,
-            Self::Back => Some(Self::Front),
-        }
-    }
-}
-
-impl Crossing {
-    /// The distance of the crossing: above zero, as it lies ahead.
-    #[must_use]
-    pub fn distance(&self) -> f64 {
-        const SMALLEST: f64 = f64::from_bits(1);
-        // Within rounding of the plane, the height can have the wrong sign.
-        (self.height / self.slope).max(SMALLEST)
-    }
-
-    /// Whether the crossing lies beyond a span for certain, before any division.
-    #[must_use]
-    #[inline(always)]
-    pub fn is_beyond(&self, span: Span) -> bool {
-        self.height.abs() - self.doubt > span.max() * (self.slope.abs() + SLOPE)
-    }
-
-    /// How far at most a distance is from the exact one.
-    #[must_use]
-    pub fn error(&self, t: f64) -> f64 {
-        (self.doubt + SLOPE * t) / self.slope.abs() + QUOTIENT * t
     }
 }
 
