@@ -1,0 +1,65 @@
+//! Decisions equal the exact ones, always.
+
+use std::collections::BTreeMap;
+
+use super::decisions::{self, Tallies};
+use super::random::Random;
+
+/// How many cases of each kind.
+pub(super) fn cases() -> u64 {
+    let asked = std::env::var("HELIODON_ORACLE_CASES").ok();
+    asked.map_or(30_000, |count| count.parse().expect("a number of cases"))
+}
+
+const SEED: u64 = 0x48_65_6c_69;
+
+fn run(what: &str, check: impl Fn(&mut Random, &mut Tallies)) -> Tallies {
+    let mut tallies = Tallies::default();
+    for case in 0..cases() {
+        check(&mut Random::of(SEED, case), &mut tallies);
+    }
+    for (kind, tally) in [("random", &tallies.random), ("aimed", &tallies.aimed)] {
+        println!(
+            "{what}, {kind}: {} cases, {} positive, {} exactly, {} by rule, {} wrong",
+            tally.cases, tally.positive, tally.exactly, tally.by_rule, tally.mismatches
+        );
+        assert!(
+            tally.mismatches == 0,
+            "{what}: {} of {} decisions are not the exact ones:\n{}",
+            tally.mismatches,
+            tally.cases,
+            tally.samples.join("\n")
+        );
+    }
+    tallies
+}
+
+#[test]
+fn hits_and_misses_are_the_exact_ones() {
+    let mut worst: BTreeMap<String, f64> = BTreeMap::new();
+    let worst = std::cell::RefCell::new(&mut worst);
+    run("hits", |random, tallies| {
+        decisions::meeting(random, tallies, &mut |surface, share| {
+            let kind = surface.describe().schema.word;
+            let mut worst = worst.borrow_mut();
+            let largest = worst.entry(kind.to_string()).or_default();
+            *largest = largest.max(share);
+        });
+    });
+    println!("{:?}", worst.borrow());
+}
+
+#[test]
+fn sides_are_the_exact_ones() {
+    run("sides", decisions::side);
+}
+
+#[test]
+fn orders_are_the_exact_ones() {
+    run("nearest", decisions::nearest);
+}
+
+#[test]
+fn occlusions_are_the_exact_ones() {
+    run("occlusion", decisions::occlusion);
+}
