@@ -172,13 +172,15 @@ fn camera(scene: &Scene) -> Result<String, Box<dyn Error>> {
         viewpoint: eye,
         size,
         origin: WindowOrigin::Corner,
+        at,
     } = &scene.view
     else {
         return Err("the room is seen through the chapter's screen".into());
     };
     // The window at distance 1; Tachyon is left-handed, so left and right change places.
-    let [left, right] = [eye.x, eye.x - size.x].map(|side| side / eye.z);
-    let [bottom, top] = [-eye.y, size.y - eye.y].map(|side| side / eye.z);
+    let from = *eye - *at;
+    let [left, right] = [from.x, from.x - size.x].map(|side| side / from.z);
+    let [bottom, top] = [-from.y, size.y - from.y].map(|side| side / from.z);
     Ok(format!(
         "BEGIN_SCENE\nRESOLUTION {} {}\nCAMERA\nZOOM 1.0\nASPECTRATIO 1.0\nANTIALIASING 0\n\
          RAYDEPTH 6\nCENTER {}\nVIEWDIR 0 0 -1\nUPDIR 0 1 0\n\

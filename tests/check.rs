@@ -101,6 +101,9 @@ fn a_surface_that_is_never_in_front_of_the_camera() {
     assert_eq!(warnings_from(screen, &near), expected);
     let far = finite("far", "4 3 -1", "0 0 1", "1 0 0");
     assert_eq!(warnings_from(screen, &far), Vec::<String>::new());
+    let moved = "camera { viewpoint 4 3 8; screen 8 6; screen-at 0 0 -2 }";
+    let expected = ["the finite-plane \"far\" is never in front of the camera"];
+    assert_eq!(warnings_from(moved, &far), expected);
 }
 
 #[test]
@@ -178,4 +181,6 @@ fn a_plane_that_the_screen_hides() {
     assert_eq!(warnings_from(screen, near), expected);
     let far = r#"plane "wall" { material "m"; point 0 0 -1; normal 0 0 1 }"#;
     assert_eq!(warnings_from(screen, far), Vec::<String>::new());
+    let moved = "camera { viewpoint 4 3 8; screen 8 6; screen-at 0 0 2 }";
+    assert_eq!(warnings_from(moved, near), Vec::<String>::new());
 }

@@ -15,8 +15,11 @@ const PLACES: [(&str, usize); 2] = [
 fn a_triangle_is_one_file_one_line_and_one_arm() {
     for path in sources(Path::new("src")) {
         let name = path.to_string_lossy().replace('\\', "/");
-        // The course's grammar has a word of its own for each thing that it can say.
-        if name == "src/surface/triangle.rs" || name.starts_with("src/read/course/") {
+        // The course's grammar has a word of its own for each thing that it can say, and the classic
+        // numerics an algorithm for each shape that they know; they need not know all.
+        let own = name == "src/surface/triangle.rs" || name == "src/surface/anatomy.rs";
+        let folders = ["src/read/course/", "src/surface/classic/"];
+        if own || folders.iter().any(|folder| name.starts_with(folder)) {
             continue;
         }
         let text = fs::read_to_string(&path).expect("source text");

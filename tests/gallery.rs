@@ -20,6 +20,7 @@ const SMALL: Options = Options {
     language: None,
     size: Some([400, 300]),
     samples: Some(4),
+    numerics: None,
 };
 
 fn scenes() -> Vec<PathBuf> {

@@ -1,5 +1,6 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
+mod receivers;
 mod shadows;
 mod supports;
 
@@ -36,8 +37,15 @@ impl<'a> SurfaceList<'a> {
         Self::of(surfaces, supports)
     }
 
+    /// A list of surfaces that rays may meet again where they leave them; they have to see to it
+    /// themselves.
+    #[must_use]
+    pub fn without_sheets(surfaces: &'a [Box<dyn Surface + 'a>]) -> Self {
+        Self::of(surfaces, std::iter::repeat(None))
+    }
+
     fn of(
-        surfaces: &'a [Box<dyn Surface>],
+        surfaces: &'a [Box<dyn Surface + 'a>],
         supports: impl Iterator<Item = Option<Support>>,
     ) -> Self {
         let surfaces = surfaces.iter().map(AsRef::as_ref).enumerate();

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::receivers::{Receiver, anything_on};
 use super::{Entry, SurfaceList};
 use crate::math::{Point, Rgb, Segment, Side, Support};
 
@@ -15,9 +16,27 @@ pub struct LightView<'a> {
 }
 
 impl<'a> LightView<'a> {
-    /// The view from a light at this place.
+    /// What lights at these places have before them.
     #[must_use]
-    pub fn new(surfaces: &SurfaceList<'a>, location: DVec3) -> Self {
+    pub fn all(surfaces: &SurfaceList<'a>, lights: impl Iterator<Item = DVec3>) -> Vec<Self> {
+        let receivers = Receiver::all(surfaces.entries());
+        let view = |light| Self::new(surfaces, &receivers, light);
+        lights.map(view).collect()
+    }
+
+    /// What a light at this place has before it.
+    ///
+    /// A plane can only stand between the light and what is strictly on its other side. If nothing
+    /// is there, as behind the floor and the walls of a room, it is no caster.
+    fn new(surfaces: &SurfaceList<'a>, receivers: &[Receiver], location: DVec3) -> Self {
+        let casts = |entry: &Entry<'_>, side: Side| {
+            let Some(flat) = entry.surface.flat() else {
+                return true;
+            };
+            // A plane hides nothing from a light in it.
+            side.opposite()
+                .is_some_and(|other| anything_on(other, &flat, entry.support, receivers))
+        };
         let location = Point::exact(location);
         let sides = surfaces
             .entries()
@@ -28,10 +47,9 @@ impl<'a> LightView<'a> {
             .map(|(entry, side)| entry.surface.flat().is_some() && side != Side::Front);
         Self {
             unlit: unlit.collect(),
-            // A plane hides nothing from a light in it.
             casters: sides
                 .filter(|(entry, _)| entry.surface.common().shadows.cast)
-                .filter(|(entry, side)| entry.surface.flat().is_none() || *side != Side::On)
+                .filter(|(entry, side)| casts(entry, *side))
                 .collect(),
         }
     }

@@ -22,8 +22,8 @@ pub struct Camera {
     inset: f64,
     /// Pixels from edge to edge.
     span: [f64; 2],
-    /// Whether hits on the viewer's side of the plane z = 0 are misses.
-    screen: bool,
+    /// A point of the chapter's screen; hits on the viewer's side of its z are misses.
+    screen: Option<DVec3>,
 }
 
 impl Camera {
@@ -50,10 +50,10 @@ impl Camera {
     /// Behind the chapter's screen everything counts, on the viewer's side nothing does.
     #[must_use]
     pub fn span(&self, ray: &Ray) -> Span {
-        if !self.screen {
+        let Some(screen) = self.screen else {
             return Span::AHEAD;
-        }
-        let height = ray.origin.from(DVec3::ZERO).z;
+        };
+        let height = ray.origin.from(screen).z;
         let slope = ray.dir.z;
         if slope < 0.0 {
             Span::AHEAD.since(-height / slope)

@@ -3,22 +3,24 @@
 use glam::{DVec2, DVec3};
 
 use super::Camera;
-use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
 use crate::math::unit;
 
 /// A viewpoint and what it looks at.
 #[derive(Debug, Clone, PartialEq)]
 pub enum View {
-    /// The chapter's camera: a window in the plane z = 0.
+    /// The chapter's camera: a window in a plane across the z axis.
     ///
-    /// Edge pixels lie exactly on the window's edges, and hits with z > 0 are misses.
+    /// Edge pixels lie exactly on the window's edges, and hits on the viewer's side are misses.
     Screen {
-        /// Where the eye is; z > 0.
+        /// Where the eye is; its z is above the window's.
         viewpoint: DVec3,
         /// The window's width and height in world units.
         size: DVec2,
-        /// Where the window lies.
+        /// The point of the window that stands at `at`.
         origin: WindowOrigin,
+        /// Where that point stands; in the chapter at the world's origin.
+        at: DVec3,
     },
     /// A camera that is aimed. Pixel centres lie half a pixel inside the window.
     LookAt {
@@ -33,7 +35,7 @@ pub enum View {
     },
 }
 
-/// The point of the chapter's window that lies at the world's origin.
+/// The point of the chapter's window that its place is told by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WindowOrigin {
     /// The lower-left corner.
@@ -66,7 +68,7 @@ impl View {
             Attribute::new(
                 "screen",
                 Takes::Pair(Range::Positive),
-                "width and height of the chapter's window in the plane z = 0",
+                "width and height of the chapter's window, in the plane z = 0 if not moved",
             )
             .unit("world units")
             .optional()
@@ -76,8 +78,16 @@ impl View {
                 unit: "",
                 default: Default::Word("corner"),
                 properties: &[],
-                about: "the window's point at the world's origin: its lower-left corner or centre",
+                about: "the window's point at `screen-at`: its lower-left corner or centre",
             }]),
+            Attribute::new(
+                "screen-at",
+                Takes::Triple,
+                "where the point of the window stands that `origin` names; the screen then lies in \
+                 the plane z = Z and hits on the viewer's side of it are misses",
+            )
+            .unit("world units")
+            .or(Default::Triple([0.0; 3])),
             Attribute::new(
                 "look-at",
                 Takes::Triple,
@@ -104,22 +114,19 @@ impl View {
     /// The view that a `camera` node gives.
     ///
     /// # Errors
-    /// Refuses a camera with both or neither of `screen` and `look-at`, and impossible directions.
+    /// Refuses a camera with both or neither of `screen` and `look-at`, what belongs to the other
+    /// of them, and impossible directions.
     pub fn from_node(node: &Node) -> Result<Self, Refusal> {
         let viewpoint = node.triple("viewpoint");
         let view = match (node.entry("screen"), node.entry("look-at")) {
             (Some(screen), None) => {
-                if let Some(stray) = ["up", "field-of-view"]
-                    .into_iter()
-                    .find(|word| node.entry(word).is_some())
-                {
-                    return Err(Refusal::new(
-                        stray,
-                        format!("`{stray}` means nothing to a camera with `screen`"),
-                        "remove it, or aim the camera with `look-at` instead of `screen`",
-                    )
-                    .expected("expected only with `look-at`"));
-                }
+                let advice = "remove it, or aim the camera with `look-at` instead of `screen`";
+                refuse_stray(
+                    node,
+                    &["up", "field-of-view"],
+                    ["screen", "look-at"],
+                    advice,
+                )?;
                 let centered = screen
                     .property("origin")
                     .is_some_and(|at| at.text() == "center");
@@ -132,14 +139,19 @@ impl View {
                     viewpoint,
                     size: node.pair("screen"),
                     origin,
+                    at: node.triple("screen-at"),
                 }
             }
-            (None, Some(_)) => Self::LookAt {
-                viewpoint,
-                target: node.triple("look-at"),
-                up: node.triple("up"),
-                field_of_view: node.number("field-of-view"),
-            },
+            (None, Some(_)) => {
+                let advice = "remove it, or give `screen` instead of `look-at`";
+                refuse_stray(node, &["screen-at"], ["look-at", "screen"], advice)?;
+                Self::LookAt {
+                    viewpoint,
+                    target: node.triple("look-at"),
+                    up: node.triple("up"),
+                    field_of_view: node.number("field-of-view"),
+                }
+            }
             (None, None) => {
                 return Err(Refusal::new(
                     "camera",
@@ -171,14 +183,18 @@ impl View {
                 viewpoint,
                 size,
                 origin,
+                at,
             } => {
-                if viewpoint.z <= 0.0 {
+                if viewpoint.z <= at.z {
+                    let z = Value::Number(at.z);
                     return Err(Refusal::new(
                         "viewpoint",
                         "the viewpoint is not in front of the screen",
-                        "the screen lies in the plane z = 0; give the viewpoint a z above 0",
+                        format!(
+                            "the screen lies in the plane z = {z}; give the viewpoint a z above {z}"
+                        ),
                     )
-                    .expected("expected a z above 0"));
+                    .expected(format!("expected a z above {z}")));
                 }
                 let corner = match origin {
                     WindowOrigin::Corner => DVec3::ZERO,
@@ -186,13 +202,14 @@ impl View {
                 };
                 Ok(Camera {
                     viewpoint,
-                    lower_left: corner - viewpoint,
+                    // Scene points are subtracted first, so that only their distance counts.
+                    lower_left: (at - viewpoint) + corner,
                     right: DVec3::X * size.x,
                     up: DVec3::Y * size.y,
                     inset: 0.0,
                     // A picture one pixel wide looks along the window's left edge.
                     span: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
-                    screen: true,
+                    screen: Some(at),
                 })
             }
             Self::LookAt {
@@ -229,7 +246,7 @@ impl View {
                     up: upward,
                     inset: 0.5,
                     span: [width, height],
-                    screen: false,
+                    screen: None,
                 })
             }
         }
@@ -257,11 +274,15 @@ impl View {
                 viewpoint,
                 size,
                 origin,
-            } => node.with("viewpoint", *viewpoint).with_entry(
-                "screen",
-                Some((*size).into()),
-                &[("origin", origin.word().into())],
-            ),
+                at,
+            } => node
+                .with("viewpoint", *viewpoint)
+                .with_entry(
+                    "screen",
+                    Some((*size).into()),
+                    &[("origin", origin.word().into())],
+                )
+                .with("screen-at", *at),
             Self::LookAt {
                 viewpoint,
                 target,
@@ -274,4 +295,20 @@ impl View {
                 .with("field-of-view", *field_of_view),
         }
     }
+}
+
+/// Refuses attributes that mean nothing to a camera with `has`, only to one with `other`.
+fn refuse_stray(
+    node: &Node,
+    words: &[&'static str],
+    [has, other]: [&str; 2],
+    advice: &str,
+) -> Result<(), Refusal> {
+    let mut words = words.iter();
+    let Some(stray) = words.find(|word| node.entry(word).is_some()) else {
+        return Ok(());
+    };
+    let reason = format!("`{stray}` means nothing to a camera with `{has}`");
+    let expected = format!("expected only with `{other}`");
+    Err(Refusal::new(stray, reason, advice).expected(expected))
 }

@@ -9,7 +9,7 @@ use clap::Args;
 use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
-use super::{FormatWord, Status, input, progress};
+use super::{FormatWord, NumericsWord, Status, input, progress};
 use crate::film::{Film, Format, Notes, save};
 use crate::language::Problem;
 use crate::read::{self, Reading};
@@ -36,6 +36,9 @@ pub(super) struct Options {
     /// Rays through each pixel, instead of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Picture::MOST_SAMPLES)))]
     samples: Option<u32>,
+    /// What decides where rays meet surfaces, instead of the scene's.
+    #[arg(long, value_name = "WORD", value_enum)]
+    numerics: Option<NumericsWord>,
     /// Threads to render with; all processors if not given.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -110,6 +113,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         language: languages.first().copied(),
         size: options.size,
         samples: options.samples,
+        numerics: options.numerics.map(NumericsWord::numerics),
     };
     let one = |(scene, output): (&PathBuf, &Output)| {
         let made = picture(scene, output, &reader, &pool, messages);

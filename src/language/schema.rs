@@ -152,9 +152,12 @@ pub enum Range {
 
 impl Range {
     /// The largest number that a scene may hold, but for directions, of which the length does not
-    /// count: 2²⁰⁰, about 1.6e60. Sums and products of a few such numbers are still finite.
-    pub const LARGEST: f64 =
-        1_606_938_044_258_990_275_541_962_092_341_162_602_522_202_993_782_792_835_301_376.0;
+    /// count: 2²⁵⁰, about 1.8e75. Products of four such numbers and sums of a few such products
+    /// are still finite, so a scene of usual size can be scaled by 2²⁰⁰.
+    pub const LARGEST: f64 = f64::from_bits((1023 + 250) << 52);
+
+    /// The smallest radius of a round thing, 2^-250: the squares of its reciprocal must be numbers.
+    pub const SMALLEST_RADIUS: f64 = f64::from_bits((1023 - 250) << 52);
 
     /// Whether a number lies in the range.
     #[must_use]

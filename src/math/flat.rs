@@ -118,6 +118,30 @@ impl Flat {
         Side::of(self.exact_side(point))
     }
 
+    /// The side that a point is on which is known exactly, and rounded.
+    #[must_use]
+    pub fn side_of(&self, exact: &ExactVector, rounded: DVec3) -> Side {
+        let height = self.normal.dot(rounded - self.point);
+        // Rounding the point is a rounding like that of an offset.
+        let point = Point::exact(rounded);
+        if height.abs() > 2.0 * HEIGHT * point.size() + self.doubt {
+            return Side::of(Sign::of(height));
+        }
+        Side::of((exact - &self.base.into()).dot(&self.normal.into()).sign())
+    }
+
+    /// Whether another plane has this normal or the opposite one.
+    #[must_use]
+    pub fn is_parallel(&self, other: &Self) -> bool {
+        self.normal == other.normal || self.normal == -other.normal
+    }
+
+    /// Whether this plane lies on this side of a parallel one.
+    #[must_use]
+    pub fn lies_on(&self, other: &Self, side: Side) -> bool {
+        other.side(&Point::exact(self.base)) == side
+    }
+
     /// The sign of the height of a point above the plane, exactly.
     fn exact_side(&self, point: &Point) -> Sign {
         let height = point.exactly_from(self.base).dot(&self.normal.into());
@@ -260,6 +284,16 @@ impl Side {
             Sign::Negative => Self::Back,
             Sign::Zero => Self::On,
             Sign::Positive => Self::Front,
+        }
+    }
+
+    /// The other side; there is none of what lies on the surface.
+    #[must_use]
+    pub fn opposite(self) -> Option<Self> {
+        match self {
+            Self::Front => Some(Self::Back),
+            Self::On => None,
+            Self::Back => Some(Self::Front),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::{FOOT, HEIGHT};
+use super::band::{FOOT, HEIGHT, UNIT};
 use super::exact::ExactVector;
 use super::vector::reflected;
 
@@ -145,6 +145,13 @@ impl<'a> Ray<'a> {
             departure: Some(departure),
             doubt: departure.doubt,
         }
+    }
+
+    /// A bound of the sum of all lengths that its origin is made of.
+    #[must_use]
+    pub(crate) fn size(&self) -> f64 {
+        const SIZE: f64 = (1.0 + 4.0 * UNIT) / HEIGHT;
+        self.doubt * SIZE
     }
 
     /// How far at most its origin lies from where it ought to.

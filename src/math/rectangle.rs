@@ -65,18 +65,23 @@ impl Rectangle {
         let flat = self.flat.welded(to);
         let mut welded = Self { flat, ..self };
         let ends = [[0, 3], [1, 2], [0, 1], [3, 2]];
+        let corners = self.exact_corners();
         for ((border, line), ends) in welded.borders.iter_mut().zip(borders).zip(ends) {
             let Some(line) = line else { continue };
             *border = line;
             // A border is straight, so nowhere is it further off than at one of its ends.
             for end in ends {
-                let [from_left, from_bottom] = [[0, 0], [1, 0], [1, 1], [0, 1]][end];
-                let corner = self.exact_corner(f64::from(from_left), f64::from(from_bottom));
-                let apart = line.inward(&corner, flat.normal).abs();
+                let apart = line.inward(&corners[end], flat.normal).abs();
                 welded.slack = welded.slack.max(self.slack + apart.next_up());
             }
         }
         welded
+    }
+
+    /// The corners, exactly, counter-clockwise from the lower left as seen from the front.
+    #[must_use]
+    pub fn exact_corners(&self) -> [ExactVector; 4] {
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| self.exact_corner(x, y))
     }
 
     /// A corner, from 0 and 1 for left and right, bottom and top.

@@ -43,6 +43,16 @@ impl Rgb {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
     }
 
+    /// The same colour, with the largest numbers there are in place of infinite ones.
+    ///
+    /// Where light is so bright that no number can say how bright, the picture is as bright as a
+    /// number can say; and nothing that is infinite meets a zero later on.
+    #[must_use]
+    pub fn saturated(self) -> Self {
+        let saturate = |channel: f64| channel.clamp(f64::MIN, f64::MAX);
+        Self::new(saturate(self.r), saturate(self.g), saturate(self.b))
+    }
+
     /// The channels in the order red, green, blue.
     #[must_use]
     pub const fn channels(self) -> [f64; 3] {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::accel::supports;
 use crate::camera::{Camera, View};
-use crate::language::{Location, Node, Problem};
+use crate::language::{Location, Node, Problem, Value};
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
@@ -116,7 +116,7 @@ fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
 fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
     let eye = camera.viewpoint();
     let behind_screen = |point: &DVec3| match view {
-        View::Screen { .. } => point.z <= 0.0,
+        View::Screen { at, .. } => point.z <= at.z,
         View::LookAt {
             viewpoint, target, ..
         } => (*point - eye).dot(*target - *viewpoint) > 0.0,
@@ -148,9 +148,11 @@ fn can_be_met(flat: &Flat, camera: &Camera, view: &View) -> bool {
 fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Problem> {
     let what = "is never in front of the camera";
     match view {
-        View::Screen { .. } => {
+        View::Screen { at, .. } => {
             let problem = warning(surface, what, "wholly on the viewer's side of the screen")?;
-            Some(problem.help("what is before the screen, at z > 0, is not drawn at all"))
+            let z = Value::Number(at.z);
+            let help = format!("what is before the screen, at z > {z}, is not drawn at all");
+            Some(problem.help(help))
         }
         View::LookAt { .. } => {
             let problem = warning(surface, what, "not seen directly")?;

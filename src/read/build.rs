@@ -73,6 +73,7 @@ pub(super) fn scene(
         width: options.size.map_or(picture.width, |[width, _]| width),
         height: options.size.map_or(picture.height, |[_, height]| height),
         samples: options.samples.unwrap_or(picture.samples),
+        numerics: options.numerics.unwrap_or(picture.numerics),
         ..picture
     });
 

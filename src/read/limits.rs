@@ -30,7 +30,7 @@ fn too_large(entry: &Entry) -> Option<Problem> {
     }
     let message = format!("`{}` is too large", attribute.word);
     let found = Value::Number(*large);
-    let label = format!("expected no more than 1.6e60, which is 2^200, found {found}");
+    let label = format!("expected no more than 1.8e75, which is 2^250, found {found}");
     let is_length = attribute.unit == "world units";
     Some(Problem::error(at, message, label).help(if is_length {
         "choose a larger unit of length"

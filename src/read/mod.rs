@@ -19,6 +19,7 @@ mod unknown;
 use std::path::{Path, PathBuf};
 
 use crate::language::{Problem, Schema, Severity, Source, Sources};
+use crate::math::Numerics;
 use crate::scene::Scene;
 use kdl::Nodes;
 
@@ -36,6 +37,8 @@ pub struct Options {
     pub size: Option<[u32; 2]>,
     /// A number of samples that replaces the scene's.
     pub samples: Option<u32>,
+    /// Numerics that replace the scene's.
+    pub numerics: Option<Numerics>,
 }
 
 /// The languages that scenes are written in.

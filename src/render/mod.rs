@@ -16,6 +16,7 @@ use crate::film::Film;
 use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::scene::Scene;
+use crate::surface::classic;
 
 /// Renders a scene on the current thread pool, and counts the work.
 ///
@@ -25,7 +26,8 @@ use crate::scene::Scene;
 /// # Errors
 /// Refuses a camera that cannot exist and a picture that memory cannot hold.
 pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
-    let tracer = Tracer::new(scene)?;
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let tracer = Tracer::new(scene, classic.as_deref())?;
     let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
     let mut film = Film::new(width, height).ok_or_else(|| {
         let reason = format!("there is no memory for {width} by {height} pixels");
@@ -66,7 +68,7 @@ fn pixel_color(
     }
     let mut sum = Rgb::BLACK;
     for (dx, dy) in samples(column, from_bottom, scene.picture.samples) {
-        sum += tracer.sees(x + dx, y + dy, probe);
+        sum = (sum + tracer.sees(x + dx, y + dy, probe)).saturated();
     }
     sum / f64::from(scene.picture.samples)
 }

@@ -6,7 +6,7 @@ use crate::language::Refusal;
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::scene::Scene;
-use crate::surface::Hit;
+use crate::surface::{Hit, Surface};
 
 use super::Probe;
 
@@ -36,22 +36,27 @@ struct Path {
 }
 
 impl<'a> Tracer<'a> {
-    /// A tracer for this scene.
+    /// A tracer for this scene; `classic` are its surfaces made for other numerics than their own,
+    /// if the scene asks for that ([`crate::surface::classic::surfaces`]).
     ///
     /// # Errors
     /// Refuses a camera that cannot exist.
-    pub fn new(scene: &'a Scene) -> Result<Self, Refusal> {
+    pub fn new(
+        scene: &'a Scene,
+        classic: Option<&'a [Box<dyn Surface + 'a>]>,
+    ) -> Result<Self, Refusal> {
         let camera = scene
             .view
             .camera(scene.picture.width, scene.picture.height)?;
-        let surfaces = SurfaceList::new(&scene.surfaces);
-        let lights = scene.lights.iter();
+        let surfaces = match classic {
+            None => SurfaceList::new(&scene.surfaces),
+            Some(classic) => SurfaceList::without_sheets(classic),
+        };
+        let lights = scene.lights.iter().map(|light| light.location);
         Ok(Self {
             scene,
             camera,
-            light_views: lights
-                .map(|light| LightView::new(&surfaces, light.location))
-                .collect(),
+            light_views: LightView::all(&surfaces, lights),
             surfaces,
         })
     }
@@ -64,7 +69,9 @@ impl<'a> Tracer<'a> {
             travelled: 0.0,
             weight: 1.0,
         };
-        self.trace(&self.camera.ray(x, y), &path, &mut bounces, probe)
+        let color = self.trace(&self.camera.ray(x, y), &path, &mut bounces, probe);
+        // Adding zero turns −0 into +0, which is the same colour.
+        color + Rgb::BLACK
     }
 
     /// The colour that comes back along a ray; black where there is nothing.
@@ -76,7 +83,8 @@ impl<'a> Tracer<'a> {
         let departure = Departure::new(entry.support, ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
         let local = self.local_color(ray, entry, &departure, &hit, probe);
-        let mut color = local / self.scene.lighting.view_falloff.divisor(travelled);
+        let divisor = self.scene.lighting.view_falloff.divisor(travelled);
+        let mut color = (local / divisor).saturated();
 
         let material = &surface.common().material;
         let mut follow = |share: Rgb, dir, probe: &mut _, count: fn(&mut _)| {
@@ -102,15 +110,12 @@ impl<'a> Tracer<'a> {
                 probe,
                 Probe::transmitted_ray,
             );
-            color = color * (1.0 - material.transparency) + through;
+            color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !material.specular.is_black() {
-            color += follow(
-                material.specular,
-                ray.mirrored(hit.normal),
-                probe,
-                Probe::mirror_ray,
-            );
+            let direction = ray.mirrored(hit.normal);
+            let mirrored = follow(material.specular, direction, probe, Probe::mirror_ray);
+            color = (color + mirrored).saturated();
         }
         color
     }
@@ -147,15 +152,16 @@ impl<'a> Tracer<'a> {
                 continue;
             };
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
-            color += diffuse * arriving * (cosine / divisor);
+            color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &surface.common().material;
             if material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
-                let alignment = halfway.dot(hit.normal).max(0.0);
-                color += arriving * material.specular * libm::pow(alignment, material.shininess);
+                let alignment = halfway.dot(hit.normal).clamp(0.0, 1.0);
+                let glint = libm::pow(alignment, material.shininess);
+                color = (color + arriving * material.specular * glint).saturated();
             }
         }
         color

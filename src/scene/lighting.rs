@@ -36,14 +36,15 @@ impl Falloff {
         }
     }
 
-    /// What an intensity is divided by at a distance.
+    /// What an intensity is divided by at a distance; never zero, however near.
     #[must_use]
     pub fn divisor(self, distance: f64) -> f64 {
-        match self {
+        let divisor = match self {
             Self::None => 1.0,
             Self::Inverse => distance,
             Self::InverseSquare => distance * distance,
-        }
+        };
+        divisor.max(f64::MIN_POSITIVE)
     }
 }
 

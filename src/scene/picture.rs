@@ -2,6 +2,7 @@
 
 use crate::film::Rounding;
 use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
+use crate::math::Numerics;
 
 /// What the scene says about its picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +17,8 @@ pub struct Picture {
     pub rounding: Rounding,
     /// Mirrored and transmitted rays whose weight has fallen below this are not followed.
     pub cut_off: f64,
+    /// What decides where rays meet surfaces.
+    pub numerics: Numerics,
 }
 
 impl Picture {
@@ -60,6 +63,12 @@ impl Picture {
                 "weight below which mirrored and transmitted rays are not followed; 0 for never",
             )
             .or(Default::Number(0.000_5)),
+            Attribute::new(
+                "numerics",
+                Takes::Word(&Numerics::WORDS),
+                "what decides where rays meet surfaces; `classic` is the chapter's own algorithm",
+            )
+            .or(Default::Word("robust")),
         ],
         attributes: &[],
     };
@@ -111,6 +120,10 @@ impl Picture {
                 Rounding::Nearest
             },
             cut_off: number("cut-off"),
+            numerics: node
+                .property("numerics")
+                .and_then(|word| Numerics::from_word(word.text()))
+                .unwrap_or_default(),
         })
     }
 
@@ -126,5 +139,6 @@ impl Picture {
             .with_property("samples", f64::from(self.samples))
             .with_property("quantize", rounding)
             .with_property("cut-off", self.cut_off)
+            .with_property("numerics", self.numerics.word())
     }
 }

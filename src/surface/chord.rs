@@ -8,16 +8,18 @@ use crate::math::exact::{Distance, Exact, Sign};
 
 /// A line and a ball around the origin, seen from the ray's origin.
 ///
-/// The half chord is `√(r² − |c − (c·d)d|²)`: the distance of the line from the centre does not
-/// cancel, however far away the ray's origin is (Haines, Günther and Akenine-Möller 2019,
-/// "Precision Improvements for Ray/Sphere Intersection").
+/// With `a = d·d`, half of the chord is `√((r² − |c − (c·d/a) d|²)/a)`: the distance of the line
+/// from the centre does not cancel, however far away the ray's origin is (Haines, Günther and
+/// Akenine-Möller 2019, "Precision Improvements for Ray/Sphere Intersection").
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
-    /// `−c·d`: how far ahead the line is nearest to the centre.
+    /// `−c·d/a`: how far ahead the line is nearest to the centre.
     ahead: f64,
-    /// The square of half the chord's length; not positive where the line passes by.
+    /// The square of half the chord, not divided by `a`; not positive where the line passes by.
     half_squared: f64,
-    /// How far at most `ahead` is from the exact value.
+    /// `d·d`.
+    speed_squared: f64,
+    /// How far at most `c·d` is from the exact value.
     doubt: f64,
     /// How far at most `half_squared` is from the exact value.
     half_squared_doubt: f64,
@@ -35,79 +37,108 @@ pub(super) struct Quadratic {
 }
 
 impl Chord {
-    /// The chord of a line from `origin`, a vector from the centre, with unit direction `dir`.
+    /// The chord of a line from `origin`, a vector from the centre, along `dir`; `None` where the
+    /// line certainly leads away from the ball or passes by.
     ///
-    /// `size` bounds the sum of the lengths that `origin` was computed from.
-    pub(super) fn new(origin: DVec3, size: f64, dir: DVec3, radius: f64) -> Self {
-        // Every component of `origin` has at most 5 roundings (in an ellipsoid's space, where
-        // those of `dir` count too), the scalar product 3 more, the difference 3 more: no
-        // component of `nearest` is further off than 12 u of `size`, nor is the whole vector than
-        // 24 u.
-        let doubt = 24.0 * UNIT * size;
+    /// `size` bounds the sum of the lengths that `origin` was computed from. Every component of
+    /// `origin` and of `dir` may have five roundings, as it has in the space of an ellipsoid.
+    #[inline(always)]
+    pub(super) fn new(
+        origin: DVec3,
+        size: f64,
+        dir: DVec3,
+        speed_squared: f64,
+        radius: f64,
+    ) -> Option<Self> {
+        // The scalar product of the two has 13 roundings, its quotient by `a` one more beside those
+        // of `a`, of which there are 13 too; the foot `c − (c·d/a) d` 7 more: 34, all in units of
+        // `size` along a direction of unit length.
+        const ROUNDINGS: f64 = 40.0 * UNIT;
+        // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 29 roundings.
+        const OF_DISCRIMINANT: f64 = 64.0 * UNIT;
         let along = origin.dot(dir);
-        let nearest = origin - dir * along;
+        // Most lines pass by so clearly that even the cancelling form says so. No term of it is
+        // larger than `a (size² + r²)`.
+        let discriminant =
+            along * along - speed_squared * (origin.length_squared() - radius * radius);
+        let largest = speed_squared * (size * size + radius * radius);
+        if discriminant < -OF_DISCRIMINANT * largest {
+            return None;
+        }
+        let doubt = ROUNDINGS * size;
+        // With a direction longer than 1, `along` is larger as well, and so is what it is off by.
+        if along > doubt * dir.abs().element_sum() {
+            return None;
+        }
+        let foot = along / speed_squared;
+        let nearest = origin - dir * foot;
         let (nearest_squared, radius_squared) = (nearest.length_squared(), radius * radius);
         let squares = nearest_squared + radius_squared;
-        Self {
-            ahead: -along,
+        Some(Self {
+            ahead: -foot,
             half_squared: radius_squared - nearest_squared,
+            speed_squared,
             doubt,
-            // A square changes by δ (2|x| + δ), and 2|x| ≤ (x² + r²)/r.
+            // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r.
             half_squared_doubt: doubt * (squares / radius + doubt) + 5.0 * UNIT * squares,
-        }
+        })
     }
 
     /// The distance at which the line enters the ball, and how far at most it is from the exact
     /// one; `None` if the line passes by or only touches, or starts inside or leads away.
     ///
     /// `doubt` bounds how far the ray's origin can be from where it ought to be.
+    #[inline(always)]
     pub(super) fn entry(
         &self,
         doubt: f64,
         equation: impl FnOnce() -> Quadratic,
     ) -> Option<(f64, f64)> {
-        if self.ahead < -self.doubt || self.half_squared < -self.half_squared_doubt {
+        if self.half_squared < -self.half_squared_doubt {
             return None;
         }
         if self.half_squared > self.half_squared_doubt {
+            let speed = self.speed_squared.sqrt();
             let half = self.half_squared.sqrt();
-            let (t, error) = (self.ahead - half, self.error(half));
-            if t > error + doubt {
+            let (t, error) = (self.ahead - half / speed, self.error(half, speed));
+            if t > error + doubt / speed {
                 return Some((t, error));
             }
-            if t < -error - doubt {
+            if t < -error - doubt / speed {
                 return None;
             }
         }
-        self.exact_entry(&equation())
+        self.exact_entry(equation)
     }
 
     /// [`entry`](Self::entry) where rounded values leave doubt.
     ///
     /// A ray that starts on something that touches the ball is not inside of it.
     #[cold]
-    fn exact_entry(&self, equation: &Quadratic) -> Option<(f64, f64)> {
-        let Quadratic { a, b, c, rounding } = equation;
-        let rounding = *rounding;
-        let discriminant = &b.squared() - &(a * c);
+    #[inline(never)]
+    fn exact_entry(&self, equation: impl FnOnce() -> Quadratic) -> Option<(f64, f64)> {
+        let Quadratic { a, b, c, rounding } = equation();
+        let discriminant = &b.squared() - &(&a * &c);
         Decisions::note(discriminant.sign() == Sign::Zero);
+        let speed = self.speed_squared.sqrt();
         let half = self.half_squared.max(0.0).sqrt();
-        let (t, error) = (self.ahead - half, self.error(half.max(f64::MIN_POSITIVE)));
-        let outside = c.sign() == Sign::Positive || t.abs() <= error + rounding && rounding > 0.0;
-        let met = outside && b.sign() == Sign::Positive && discriminant.sign() == Sign::Positive;
-        met.then(|| {
-            (
-                t.max(f64::from_bits(1)),
-                error.min(2.0 * self.ahead.abs() + rounding),
-            )
-        })
+        let (t, error) = (self.ahead - half / speed, self.error(half, speed));
+        let close = rounding > 0.0 && t.abs() <= error + rounding / speed;
+        let met = (c.sign() == Sign::Positive || close)
+            && b.sign() == Sign::Positive
+            && discriminant.sign() == Sign::Positive;
+        met.then(|| (t.max(f64::from_bits(1)), error))
     }
 
-    /// How far at most the distance is off, for a half chord that is not zero.
-    fn error(&self, half: f64) -> f64 {
+    /// How far at most the distance is off.
+    fn error(&self, half: f64, speed: f64) -> f64 {
         // √(x + e) − √x ≤ e/√x, and no more than √e.
-        let of_half = (self.half_squared_doubt / half).min(self.half_squared_doubt.sqrt());
-        self.doubt + of_half + 2.0 * UNIT * (self.ahead.abs() + half)
+        let of_half = if half * half > self.half_squared_doubt {
+            self.half_squared_doubt / half
+        } else {
+            self.half_squared_doubt.sqrt()
+        };
+        (self.doubt + of_half) / speed + 4.0 * UNIT * (self.ahead.abs() + half / speed)
     }
 }
 
@@ -134,7 +165,7 @@ mod tests {
                 rounding: 0.0,
             }
         };
-        let chord = Chord::new(origin, origin.abs().element_sum(), dir, 1.0);
+        let chord = Chord::new(origin, origin.abs().element_sum(), dir, 1.0, 1.0)?;
         chord.entry(0.0, equation).map(|(t, _)| t)
     }
 

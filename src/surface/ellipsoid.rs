@@ -16,7 +16,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic};
-use super::{Common, Hit, Sphere, Surface, globe};
+use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
@@ -31,6 +31,11 @@ pub struct Ellipsoid {
     scale: DVec3,
     /// The three half axes: radius times scale.
     axes: DVec3,
+    /// One divided by each axis, and the largest of these.
+    shrink: DVec3,
+    most_shrink: f64,
+    /// The sum of the centre's coordinates without their signs.
+    size: f64,
     image: Option<TextureMap>,
 }
 
@@ -71,13 +76,13 @@ impl Ellipsoid {
             let refusal = Refusal::new("scale", "a factor is not above zero", advice);
             return Err(refusal.expected("expected three numbers above 0"));
         }
-        let computable = axes.min_element() > 0.0 && axes.max_element() <= Range::LARGEST;
+        let computable =
+            axes.min_element() >= Range::SMALLEST_RADIUS && axes.max_element() <= Range::LARGEST;
         if radius.is_finite() && radius > 0.0 && !computable {
             let reason = "radius times scale is out of range";
-            let refusal = Refusal::new("scale", reason, "choose a larger unit of length");
-            return Err(
-                refusal.expected("expected a product of no more than 1.6e60, which is 2^200")
-            );
+            let refusal = Refusal::new("scale", reason, "choose another unit of length");
+            return Err(refusal
+                .expected("expected products from 5.6e-76 to 1.8e75, which are 2^-250 and 2^250"));
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
             let advice = "give the radius in world units";
@@ -94,8 +99,33 @@ impl Ellipsoid {
             radius,
             scale,
             axes,
+            shrink: axes.recip(),
+            most_shrink: axes.min_element().recip(),
+            size: Point::exact(center).size(),
             image,
         })
+    }
+
+    /// From the space of the ellipsoid to that of the unit sphere.
+    #[inline]
+    fn shrunk(&self, vector: DVec3) -> DVec3 {
+        vector * self.shrink
+    }
+
+    /// The distance at which a ray enters, and its error.
+    #[inline(always)]
+    fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let origin = self.shrunk(ray.origin.from(self.center));
+        let dir = self.shrunk(ray.dir);
+        let (size, doubt) = (ray.size() + self.size, ray.doubt * self.most_shrink);
+        let chord = Chord::new(
+            origin,
+            size * self.most_shrink,
+            dir,
+            dir.length_squared(),
+            1.0,
+        )?;
+        chord.entry(doubt, || self.equation(ray))
     }
 
     /// The equation of the distances at which a ray meets the ellipsoid, multiplied by all three
@@ -127,32 +157,31 @@ impl Ellipsoid {
 impl Surface for Ellipsoid {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         // In the space where the ellipsoid is the unit sphere.
-        let origin = self.on_unit_sphere(&ray.origin);
-        let between = (ray.origin.anchor - self.center).abs() + ray.origin.offset.abs();
-        let size = (between / self.axes).element_sum();
-        let stretched = ray.dir / self.axes;
-        let speed = stretched.length();
-        let dir = stretched / speed;
-        let doubt = ray.doubt / self.axes.min_element();
-        let chord = Chord::new(origin, size, dir, 1.0);
-        let (entered, error) = chord.entry(doubt, || self.equation(ray))?;
-        let t = Some(entered / speed).filter(|t| span.contains(*t))?;
-        let on_sphere = direction(origin + dir * entered);
+        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let on_sphere = direction(self.shrunk(ray.origin.from(self.center) + ray.dir * t));
         let point = Point {
             anchor: self.center,
             offset: on_sphere * self.axes,
         };
         Some(Hit {
             t,
-            error: (error + f64::EPSILON * 4.0 * entered) / speed,
+            error,
             point,
-            normal: direction(on_sphere / self.axes),
+            normal: direction(on_sphere * self.shrink),
             uv: DVec2::ZERO,
         })
     }
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let shape = Shape::Ellipsoid {
+            center: self.center,
+            axes: self.axes,
+        };
+        Some(globe::anatomy(shape, self.image.as_ref()))
     }
 
     fn describe(&self) -> Node {
@@ -174,6 +203,10 @@ impl Surface for Ellipsoid {
         })
     }
 
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        Some(ExactVector::box_around(self.center, self.axes))
+    }
+
     fn side(&self, point: &Point) -> Side {
         let stretch = ExactVector::from(self.axes).products_of_others();
         let way = point.exactly_from(self.center).scaled(&stretch);
@@ -185,10 +218,15 @@ impl Surface for Ellipsoid {
     }
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        let Some((t, _)) = self.entry(&segment.ray) else {
+            return false;
+        };
         // As with a sphere, in the space where the ellipsoid is one.
-        let (way, dir) = (segment.end - self.center, segment.ray.dir / self.axes);
-        let beyond = (way / self.axes).dot(dir) > 0.0;
-        (end == Side::Back || beyond) && self.hits(&segment.ray, segment.span).is_some()
+        let beyond = || {
+            self.shrunk(segment.end - self.center)
+                .dot(self.shrunk(segment.ray.dir))
+        };
+        (end == Side::Back || beyond() > 0.0) && segment.span.contains(t)
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

@@ -14,9 +14,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
@@ -112,6 +112,17 @@ impl Surface for FinitePlane {
         &self.common
     }
 
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let Rectangle {
+            flat, frame, size, ..
+        } = self.rectangle;
+        Some(Anatomy::plain(Shape::Rectangle {
+            corner: flat.point,
+            axes: [frame.x, frame.y, flat.normal],
+            size,
+        }))
+    }
+
     fn describe(&self) -> Node {
         self.describe_into(Node::new(&Self::SCHEMA, None))
     }
@@ -122,6 +133,10 @@ impl Surface for FinitePlane {
 
     fn outline(&self) -> Vec<DVec3> {
         self.rectangle.corners().to_vec()
+    }
+
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        Some(self.rectangle.exact_corners().to_vec())
     }
 
     fn borders(&self) -> Vec<Line> {

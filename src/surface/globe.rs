@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use super::{Anatomy, Cover, Shape};
 use crate::language::{Attribute, Node, Reference, Takes};
 use crate::math::Rgb;
 use crate::texture::TextureMap;
@@ -38,4 +39,10 @@ pub(super) fn describe(node: Node, image: Option<&TextureMap>) -> Node {
         Some(image) => node.with("texture", image.texture.name.as_str()),
         None => node,
     }
+}
+
+/// The anatomy of a round thing, with the image around it if there is one.
+pub(super) fn anatomy(shape: Shape, image: Option<&TextureMap>) -> Anatomy<'_> {
+    let plain = Anatomy::plain(shape);
+    image.map_or(plain, |image| plain.covered(Cover::Globe(image)))
 }

@@ -1,6 +1,8 @@
 //! What a ray can hit. **The heart**: [`Surface`] is what the tracer calls on the boxed objects.
 
+mod anatomy;
 mod chord;
+pub mod classic;
 mod common;
 mod globe;
 mod weld;
@@ -10,9 +12,10 @@ use std::fmt;
 use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 
+pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
 pub use procedural_plane::Shader;
 pub use tiled_plane::TileStart;
@@ -73,6 +76,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
         Vec::new()
     }
 
+    /// Points whose convex hull holds the surface, exactly; `None` if it has no end.
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        None
+    }
+
     /// The box around the surface, if it is bounded.
     fn bounds(&self) -> Option<Bounds> {
         let outline = self.outline();
@@ -82,6 +90,12 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The side that a point is on; behind a closed surface is inside.
     fn side(&self, point: &Point) -> Side {
         self.flat().map_or(Side::Front, |flat| flat.side(point))
+    }
+
+    /// The surface in plain numbers, from which [`classic`] makes it anew; a surface without one
+    /// is always asked itself.
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        None
     }
 
     /// Whether the surface stands between the ends of a segment; `end` is the side of the surface

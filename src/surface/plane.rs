@@ -12,7 +12,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::exact::Distance;
 use crate::math::{Blueprint, Flat, Line, Ray, Segment, Side, Span};
@@ -86,6 +86,13 @@ impl Surface for Plane {
 
     fn common(&self) -> &Common {
         &self.common
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(Anatomy::plain(Shape::Plane {
+            point: self.flat.point,
+            normal: self.flat.normal,
+        }))
     }
 
     fn describe(&self) -> Node {

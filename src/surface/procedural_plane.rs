@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Common, Hit, Plane, Surface};
+use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Naming, Node, Schema, Takes};
 use crate::math::exact::Distance;
 use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
@@ -105,6 +105,10 @@ impl Surface for ProceduralPlane {
 
     fn common(&self) -> &Common {
         self.plane.common()
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Own))
     }
 
     fn describe(&self) -> Node {

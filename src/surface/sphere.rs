@@ -15,7 +15,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic};
-use super::{Common, Hit, Surface, globe};
+use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
@@ -27,6 +27,8 @@ pub struct Sphere {
     common: Common,
     center: DVec3,
     radius: f64,
+    /// The sum of the centre's coordinates without their signs.
+    size: f64,
     image: Option<TextureMap>,
 }
 
@@ -65,11 +67,17 @@ impl Sphere {
                 advice,
             ));
         }
+        if radius < Range::SMALLEST_RADIUS {
+            let reason = "the radius is too small";
+            let refusal = Refusal::new("radius", reason, "choose a smaller unit of length");
+            return Err(refusal.expected("expected at least 5.6e-76, which is 2^-250"));
+        }
         let image = texture.map(|texture| TextureMap::clamp(texture, globe::WHOLE));
         Ok(Self {
             common,
             center,
             radius,
+            size: Point::exact(center).size(),
             image,
         })
     }
@@ -89,9 +97,10 @@ impl Sphere {
     }
 
     /// The distance at which a ray enters, and its error.
+    #[inline(always)]
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
-        let (origin, size) = ray.origin.seen_from(self.center);
-        let chord = Chord::new(origin, size, ray.dir, self.radius);
+        let origin = ray.origin.from(self.center);
+        let chord = Chord::new(origin, ray.size() + self.size, ray.dir, 1.0, self.radius)?;
         chord.entry(ray.doubt, || self.equation(ray))
     }
 }
@@ -118,6 +127,14 @@ impl Surface for Sphere {
         &self.common
     }
 
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        let shape = Shape::Sphere {
+            center: self.center,
+            radius: self.radius,
+        };
+        Some(globe::anatomy(shape, self.image.as_ref()))
+    }
+
     fn describe(&self) -> Node {
         let node = Node::new(&Self::SCHEMA, None)
             .with("center", self.center)
@@ -137,6 +154,13 @@ impl Surface for Sphere {
         })
     }
 
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        Some(ExactVector::box_around(
+            self.center,
+            DVec3::splat(self.radius),
+        ))
+    }
+
     fn side(&self, point: &Point) -> Side {
         let way = point.exactly_from(self.center);
         Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
@@ -147,10 +171,13 @@ impl Surface for Sphere {
     }
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        let Some((t, _)) = self.entry(&segment.ray) else {
+            return false;
+        };
         // The line is nearest to the centre inside, so an end outside lies before or beyond that
         // place together with the whole sphere.
-        let beyond = (segment.end - self.center).dot(segment.ray.dir) > 0.0;
-        (end == Side::Back || beyond) && self.hits(&segment.ray, segment.span).is_some()
+        let beyond = || (segment.end - self.center).dot(segment.ray.dir) > 0.0;
+        (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

@@ -15,9 +15,9 @@
 
 use glam::DVec3;
 
-use super::{Common, FinitePlane, Hit, Surface};
+use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
@@ -109,6 +109,10 @@ impl Surface for TexturePlane {
         self.plane.common()
     }
 
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Image(&self.image)))
+    }
+
     fn describe(&self) -> Node {
         let node = self.plane.describe_into(Node::new(&Self::SCHEMA, None));
         Self::describe_image(node, &self.image, self.texel_given)
@@ -120,6 +124,10 @@ impl Surface for TexturePlane {
 
     fn outline(&self) -> Vec<DVec3> {
         self.plane.outline()
+    }
+
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        self.plane.hull()
     }
 
     fn borders(&self) -> Vec<Line> {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Plane, Surface};
+use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
 use crate::material::Material;
 use crate::math::exact::Distance;
@@ -47,6 +47,10 @@ pub enum TileStart {
 }
 
 impl TileStart {
+    /// What the course's programs add to a coordinate before they divide it, so that it is not
+    /// below zero, where truncation would make a tile twice as wide.
+    pub(super) const BIG: f64 = 100_000.0;
+
     const WORDS: [&'static str; 2] = ["point", "course"];
 
     /// The start with this word; `Point` for any other.
@@ -130,10 +134,9 @@ impl TiledPlane {
         let (place, main_parity) = match self.start {
             TileStart::Point => (hit.uv / self.tile, 0.0),
             TileStart::Course => {
-                const BIG: f64 = 100_000.0;
                 let world = hit.point.world();
                 let along = DVec2::new(self.frame.x.dot(world), self.frame.y.dot(world));
-                ((along + DVec2::splat(BIG)) / self.tile, 1.0)
+                ((along + DVec2::splat(TileStart::BIG)) / self.tile, 1.0)
             }
         };
         let tile = place.floor();
@@ -157,6 +160,15 @@ impl Surface for TiledPlane {
 
     fn common(&self) -> &Common {
         self.plane.common()
+    }
+
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(self.plane.anatomy()?.covered(Cover::Tiles {
+            axes: [self.frame.x, self.frame.y],
+            tile: self.tile,
+            start: self.start,
+            alternate: &self.alternate,
+        }))
     }
 
     fn describe(&self) -> Node {

@@ -13,10 +13,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::band::{MOMENT, UNDERFLOW};
-use crate::math::exact::Distance;
+use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Crossing, Flat, Line, Point, Ray, Segment, Side, Span, inside_all};
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
@@ -124,6 +124,13 @@ impl Surface for Triangle {
         &self.common
     }
 
+    fn anatomy(&self) -> Option<Anatomy<'_>> {
+        Some(Anatomy::plain(Shape::Triangle {
+            vertices: self.vertices,
+            normal: self.flat.normal,
+        }))
+    }
+
     fn describe(&self) -> Node {
         let [a, b, c] = self.vertices;
         Node::new(&Self::SCHEMA, None)
@@ -138,6 +145,10 @@ impl Surface for Triangle {
 
     fn outline(&self) -> Vec<DVec3> {
         self.vertices.to_vec()
+    }
+
+    fn hull(&self) -> Option<Vec<ExactVector>> {
+        Some(self.vertices.map(ExactVector::from).to_vec())
     }
 
     fn borders(&self) -> Vec<Line> {

@@ -77,6 +77,7 @@ fn dump_prints_every_default() {
     let text = run.stdout_text();
     for words in [
         "samples=1",
+        "numerics=\"robust\"",
         "transparency 0",
         "shadows receive=#true cast=#true",
     ] {

@@ -41,6 +41,19 @@ fn the_window_can_be_centred() {
     assert_eq!(camera.ray(2.0, 1.0).dir, DVec3::NEG_Z);
 }
 
+/// S1: the window can stand elsewhere; then its corner or its middle stands there.
+#[test]
+fn the_window_can_be_moved() {
+    for (origin, left) in [("corner", 3.0), ("center", -1.0)] {
+        let text = "viewpoint 3 2 9; screen 8 6 origin=\"ORIGIN\"; screen-at 3 2 5";
+        let camera = camera([5, 3], &text.replace("ORIGIN", origin));
+        let to_corner = camera.ray(0.0, 0.0).dir * 4.0 / -camera.ray(0.0, 0.0).dir.z;
+        let corner = camera.viewpoint() + to_corner;
+        assert!((corner.x - left).abs() < 1e-14, "{origin}: {corner}");
+        assert!((corner.z - 5.0).abs() < 1e-14, "{origin}: {corner}");
+    }
+}
+
 /// S1: a picture with one pixel looks through the window's corner, and divides by nothing.
 #[test]
 fn a_single_pixel_looks_through_the_corner() {

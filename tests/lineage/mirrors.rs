@@ -235,6 +235,25 @@ fn nothing_counts_in_front_of_the_screen() {
     );
 }
 
+/// S2: a screen that stands elsewhere cuts there, on both sides of z = 0.
+#[test]
+fn a_moved_screen_cuts_where_it_stands() {
+    for (place, eye, inside, outside) in [(3, 5, 2, 4), (-6, -2, -7, -5)] {
+        let pixel = |z| {
+            let scene = format!(
+                "image 1 1
+                camera {{ viewpoint 0 0 {eye}; screen 1 1; screen-at 0 0 {place} }}
+                plane {{ material \"red\"; point 0 0 {z}; normal 0 0 1 }}"
+            );
+            Stage::new(&scene).pixel()
+        };
+        let distance = f64::from(eye - inside);
+        assert_eq!(pixel(inside), Rgb::new(1.0 / distance, 0.0, 0.0), "{place}");
+        assert_eq!(pixel(place).r, 1.0 / f64::from(eye - place), "{place}");
+        assert_eq!(pixel(outside), Rgb::BLACK, "{place}");
+    }
+}
+
 /// S2: a surface exactly in the screen is seen.
 #[test]
 fn the_screen_itself_belongs_to_the_scene() {

@@ -135,7 +135,7 @@ pub(super) fn film(scene: &Scene) -> Film {
 }
 
 /// A ray from a point of the scene in a direction of any length.
-pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
     Ray::new(Point::exact(origin.into()), unit(direction.into()).unwrap())
 }
 

@@ -11,6 +11,23 @@ use super::{Exact, RationalVector};
 pub struct ExactVector([Exact; 3]);
 
 impl ExactVector {
+    /// The eight corners of the box that reaches so far from a centre along each axis.
+    #[must_use]
+    pub fn box_around(center: DVec3, reach: DVec3) -> Vec<Self> {
+        let sign = |bit: u8, corner: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
+        let center = Self::from(center);
+        let to = |corner| DVec3::new(sign(1, corner), sign(2, corner), sign(4, corner)) * reach;
+        (0..8)
+            .map(|corner| &center + &Self::from(to(corner)))
+            .collect()
+    }
+
+    /// The components rounded.
+    #[must_use]
+    pub fn rounded(&self) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|axis| self.0[axis].to_f64()))
+    }
+
     /// The scalar product.
     #[must_use]
     pub fn dot(&self, other: &Self) -> Exact {

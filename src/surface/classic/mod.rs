@@ -1,0 +1,164 @@
+//! The chapter's own algorithm, in `f64` and in `f32`: the baseline of tests and costs.
+//!
+//! Everything happens in world coordinates. A ray is `P = o + t d`; a plane is met at
+//! `t = n·(q − o) / n·d`; a finite plane subtracts its corner from the hit, rotates what is left
+//! into its own axes and compares it with its width and height; a sphere is a quadratic; a triangle
+//! has barycentric coordinates; a texel's number is truncated as in C. No ray knows which surface
+//! it leaves: hits nearer than [`Scalar::OFFSET`] do not count.
+//!
+//! That is what ray tracers do, written with care, and good in most pictures. Where it is not,
+//! `tests/weaknesses.rs` says so.
+
+mod flat;
+mod lookup;
+mod other;
+mod paint;
+mod round;
+mod scalar;
+mod solid;
+mod triangle;
+mod vector;
+
+pub use scalar::Scalar;
+
+use glam::DVec3;
+
+use super::{Anatomy, Common, Hit, Shape, Surface};
+use crate::language::Node;
+use crate::math::{Bounds, Numerics, Point, Ray, Rgb, Segment, Side, Span};
+use other::Other;
+use paint::Paint;
+use solid::Solid;
+use vector::Line;
+
+/// The same surfaces in the same order, made for these numerics; `None` if they are so already.
+#[must_use]
+pub fn surfaces(
+    surfaces: &[Box<dyn Surface>],
+    numerics: Numerics,
+) -> Option<Vec<Box<dyn Surface + '_>>> {
+    let all = surfaces.iter().map(AsRef::as_ref);
+    match numerics {
+        Numerics::Robust => None,
+        Numerics::Classic => Some(all.map(surface::<f64>).collect()),
+        Numerics::ClassicF32 => Some(all.map(surface::<f32>).collect()),
+    }
+}
+
+/// The classic form of one surface.
+fn surface<T: Scalar>(surface: &dyn Surface) -> Box<dyn Surface + '_> {
+    let Some(anatomy) = surface.anatomy() else {
+        return Box::new(Other::<T>::of(surface));
+    };
+    match anatomy.shape {
+        Shape::Plane { point, normal } => {
+            Classic::boxed(surface, &anatomy, flat::Plane::<T>::of(point, normal))
+        }
+        Shape::Rectangle { corner, axes, size } => {
+            let rectangle = flat::Rectangle::<T>::of(corner, axes, size);
+            Classic::boxed(surface, &anatomy, rectangle)
+        }
+        Shape::Triangle { vertices, normal } => {
+            let triangle = triangle::Triangle::<T>::of(vertices, normal);
+            Classic::boxed(surface, &anatomy, triangle)
+        }
+        Shape::Sphere { center, radius } => {
+            Classic::boxed(surface, &anatomy, round::Sphere::<T>::of(center, radius))
+        }
+        Shape::Ellipsoid { center, axes } => {
+            let ellipsoid = round::Ellipsoid::<T>::of(center, axes);
+            Classic::boxed(surface, &anatomy, ellipsoid)
+        }
+    }
+}
+
+/// A surface that is asked in the classic way; what only robust numerics ask it does not answer.
+#[derive(Debug)]
+struct Classic<'a, T, S> {
+    surface: &'a dyn Surface,
+    common: &'a Common,
+    solid: S,
+    paint: Paint<'a, T>,
+}
+
+impl<'a, T: Scalar, S: Solid<T> + 'a> Classic<'a, T, S> {
+    fn boxed(surface: &'a dyn Surface, anatomy: &Anatomy<'a>, solid: S) -> Box<dyn Surface + 'a> {
+        Box::new(Self {
+            surface,
+            common: surface.common(),
+            solid,
+            paint: Paint::of(&anatomy.cover, &anatomy.shape),
+        })
+    }
+}
+
+/// A hit as a surface of its own numerics expects it: as an offset from the surface's own point.
+fn anchored(hit: &Hit, anchor: DVec3) -> Hit {
+    let point = Point {
+        anchor,
+        offset: hit.point.from(anchor),
+    };
+    Hit { point, ..*hit }
+}
+
+impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
+    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
+        let counts = |t: T| t > T::OFFSET && span.contains(t.wide());
+        let meeting = self.solid.meets(&Line::of(ray), counts)?;
+        Some(meeting.hit())
+    }
+
+    fn common(&self) -> &Common {
+        self.common
+    }
+
+    fn describe(&self) -> Node {
+        self.surface.describe()
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        self.surface.bounds()
+    }
+
+    fn occludes(&self, segment: &Segment, _end: Side) -> bool {
+        let end = T::of(segment.length) - T::OFFSET;
+        let counts = |t: T| t > T::OFFSET && t < end && segment.span.contains(t.wide());
+        self.solid.meets(&Line::of(&segment.ray), counts).is_some()
+    }
+
+    fn texel(&self, hit: &Hit) -> Rgb {
+        match &self.paint {
+            Paint::Own(anchor) => self.surface.texel(&anchored(hit, *anchor)),
+            paint => paint.texel(hit),
+        }
+    }
+
+    fn getamb(&self, hit: &Hit) -> Rgb {
+        match &self.paint {
+            Paint::Tiles(tiles) => tiles.material_at(hit, &self.common.material).ambient,
+            Paint::Own(anchor) => self.surface.getamb(&anchored(hit, *anchor)),
+            paint => self.common.material.ambient * paint.texel(hit),
+        }
+    }
+
+    fn getdiff(&self, hit: &Hit) -> Rgb {
+        match &self.paint {
+            Paint::Tiles(tiles) => tiles.material_at(hit, &self.common.material).diffuse,
+            Paint::Own(anchor) => self.surface.getdiff(&anchored(hit, *anchor)),
+            paint => self.common.material.diffuse * paint.texel(hit),
+        }
+    }
+
+    fn transmits(&self, hit: &Hit) -> Rgb {
+        match &self.paint {
+            Paint::Own(anchor) => self.surface.transmits(&anchored(hit, *anchor)),
+            paint => {
+                let material = &self.common.material;
+                material.filter() * material.transparency * paint.texel(hit)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,138 @@
+//! `--numerics` and `image … numerics=…`: the classic numerics draw the same pictures, nearly.
+
+mod golden;
+
+use std::process::{Command, Output};
+
+use golden::{files, picture, repository, stem};
+use heliodon::math::Numerics;
+use heliodon::read::{Options, read_bytes};
+use heliodon::render::render;
+use image::RgbImage;
+
+const SCENE: &str = r#"
+    image 40 30
+    camera { viewpoint 0 1 4; look-at 0 1 0 }
+    material "chalk" { ambient 1; diffuse 3; specular 0.3 }
+    light { location 2 4 3; emissivity 8 }
+    plane "floor" { material "chalk"; point 0 0 0; normal 0 1 0 }
+    sphere "ball" { material "chalk"; center 0 1 0; radius 1 }
+"#;
+
+/// The share of pixels that differ by at most one code value.
+fn alike(one: &RgbImage, other: &RgbImage) -> f64 {
+    let near = one.pixels().zip(other.pixels()).filter(|(one, other)| {
+        let pairs = one.0.iter().zip(other.0);
+        pairs
+            .into_iter()
+            .all(|(one, other)| one.abs_diff(other) <= 1)
+    });
+    near.count() as f64 / f64::from(one.width() * one.height())
+}
+
+#[test]
+fn every_scene_is_nearly_the_same_in_all_numerics() {
+    let scenes = files(&repository("scenes"), "kdl").expect("the repository's scenes");
+    let mut narrow_differs = 0;
+    for scene in &scenes {
+        let drawn = Numerics::ALL.map(|numerics| {
+            let options = Options {
+                size: Some([160, 120]),
+                numerics: Some(numerics),
+                ..Options::default()
+            };
+            picture(scene, &options).expect("a picture")
+        });
+        let [robust, classic, narrow] = &drawn;
+        let share = [classic, narrow].map(|other| alike(robust, other));
+        assert!(
+            share.iter().all(|share| *share >= 0.99),
+            "{}: {share:?}",
+            stem(scene)
+        );
+        narrow_differs += usize::from(narrow != robust);
+    }
+    assert!(
+        2 * narrow_differs > scenes.len(),
+        "only {narrow_differs} pictures differ in 32 bits"
+    );
+}
+
+fn read(text: &str, options: &Options) -> heliodon::scene::Scene {
+    let reading = read_bytes("scene.kdl", text.into(), "".into(), options);
+    reading.expect("a scene").scene
+}
+
+#[test]
+fn the_option_replaces_what_the_scene_says() {
+    let said = SCENE.replace("image 40 30", r#"image 40 30 numerics="classic-f32""#);
+    let plain = Options::default();
+    assert_eq!(read(SCENE, &plain).picture.numerics, Numerics::Robust);
+    assert_eq!(read(&said, &plain).picture.numerics, Numerics::ClassicF32);
+    for numerics in Numerics::ALL {
+        let told = Options {
+            numerics: Some(numerics),
+            ..Options::default()
+        };
+        assert_eq!(read(&said, &told).picture.numerics, numerics);
+        let hashes = [SCENE, &said].map(|text| read(text, &told).hash());
+        assert_eq!(hashes[0], hashes[1]);
+    }
+    assert_ne!(read(SCENE, &plain).hash(), read(&said, &plain).hash());
+}
+
+/// A scene far from the origin is the same scene to robust numbers alone.
+#[test]
+fn only_robust_pictures_may_be_moved() {
+    let moved = SCENE
+        .replace(
+            "viewpoint 0 1 4; look-at 0 1 0",
+            "viewpoint 1048576 1 4; look-at 1048576 1 0",
+        )
+        .replace("location 2", "location 1048578")
+        .replace("point 0 0 0", "point 1048576 0 0")
+        .replace("center 0", "center 1048576");
+    let film = |text: &str, numerics| {
+        let options = Options {
+            numerics: Some(numerics),
+            ..Options::default()
+        };
+        let scene = read(text, &options);
+        let (film, _) = render(&scene, &|_| ()).expect("a picture");
+        film.bytes(scene.picture.rounding)
+    };
+    let robust = Numerics::Robust;
+    assert!(film(SCENE, robust) == film(&moved, robust));
+    let narrow = Numerics::ClassicF32;
+    assert!(film(SCENE, narrow) != film(&moved, narrow));
+}
+
+fn heliodon(folder: &tempfile::TempDir, arguments: &[&str]) -> Output {
+    let scene = folder.path().join("scene.kdl");
+    std::fs::write(&scene, SCENE).expect("a scene file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
+    command
+        .current_dir(folder)
+        .args(["render", "scene.kdl", "-q", "-o", "-"]);
+    command.args(arguments).output().expect("the program runs")
+}
+
+#[test]
+fn the_command_line_takes_each_word_and_no_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pictures = Numerics::WORDS.map(|word| {
+        let run = heliodon(&folder, &["--numerics", word, "--format", "ppm"]);
+        assert!(run.status.success(), "{word}: {run:?}");
+        run.stdout
+    });
+    let plain = heliodon(&folder, &["--format", "ppm"]);
+    assert!(plain.stdout == pictures[0]);
+
+    let run = heliodon(&folder, &["--numerics", "exact"]);
+    assert_eq!(run.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(
+        said.contains("[possible values: robust, classic, classic-f32]"),
+        "{said}"
+    );
+}
