@@ -102,10 +102,16 @@ fn feature(random: &mut Random, surface: &dyn Surface, eye: DVec3) -> DVec3 {
         1 => 0.5,
         _ => random.share(),
     };
-    let inward = if random.once_in(2) { 0.0 } else { random.share() };
+    let inward = if random.once_in(2) {
+        0.0
+    } else {
+        random.share()
+    };
     let (from, to) = (Vector::of(from), Vector::of(to));
     let place = from.plus(&to.minus(&from).times(&number(along)));
-    place.plus(&Vector::of(*first).minus(&place).times(&number(inward))).rounded()
+    place
+        .plus(&Vector::of(*first).minus(&place).times(&number(inward)))
+        .rounded()
 }
 
 /// A place where a line from `eye` touches a round surface.
@@ -157,7 +163,11 @@ pub(crate) fn ray(
         let back = dir * (scale * random.power(-4, 12));
         origin = Point {
             anchor,
-            offset: if random.once_in(4) { DVec3::ZERO } else { -back },
+            offset: if random.once_in(4) {
+                DVec3::ZERO
+            } else {
+                -back
+            },
         };
     } else {
         let place = feature(random, surface, origin.world());

@@ -25,7 +25,11 @@ pub(crate) struct Tallies {
 
 impl Tallies {
     fn of(&mut self, aimed: bool) -> &mut Tally {
-        if aimed { &mut self.aimed } else { &mut self.random }
+        if aimed {
+            &mut self.aimed
+        } else {
+            &mut self.random
+        }
     }
 }
 
@@ -125,7 +129,9 @@ fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
         if distance.approximate() > FARTHEST {
             return;
         }
-        let nearer = exact.as_ref().is_none_or(|(_, best)| distance.compare(best) == Ordering::Less);
+        let nearer = exact
+            .as_ref()
+            .is_none_or(|(_, best)| distance.compare(best) == Ordering::Less);
         if nearer {
             exact = Some((index, distance));
         }
@@ -133,7 +139,9 @@ fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
     let list = SurfaceList::new(surfaces);
     let decided = tally.observe(|| list.nearest(ray, Span::AHEAD).map(|(entry, _)| entry.index));
     let exact = exact.map(|(index, _)| index);
-    tally.compare(&decided, &exact, exact.is_some(), || format!("{ray:?} and {surfaces:?}"));
+    tally.compare(&decided, &exact, exact.is_some(), || {
+        format!("{ray:?} and {surfaces:?}")
+    });
 }
 
 /// Whether a surface stands between two points.
@@ -161,7 +169,9 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     let tally = tallies.of(aimed);
     let side = surface.side(&Point::exact(end));
     let decided = tally.observe(|| surface.occludes(&segment, side));
-    tally.compare(&decided, &exact, exact, || format!("{segment:?} and {surface:?}"));
+    tally.compare(&decided, &exact, exact, || {
+        format!("{segment:?} and {surface:?}")
+    });
 }
 
 /// Whether the surface hides the ends of a segment from each other; `None` where the start is too
@@ -193,11 +203,15 @@ fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -
         return None;
     };
     let size = segment.ray.origin.size() + center.abs().element_sum() + axes.element_sum();
-    let near = entry.compare(&Distance::Quotient(super::rational::number(2.0 * rounding + 1e-6 * size)));
+    let near = entry.compare(&Distance::Quotient(super::rational::number(
+        2.0 * rounding + 1e-6 * size,
+    )));
     if near != Ordering::Greater {
         return None;
     }
-    let end = Vector::of(segment.end).minus(&Vector::of(center)).over(axes);
+    let end = Vector::of(segment.end)
+        .minus(&Vector::of(center))
+        .over(axes);
     let inside = truth::side_of_round(center, axes, &Point::exact(segment.end)) < 0;
     let beyond = super::rational::sign(&end.dot(&Vector::of(segment.ray.dir).over(axes))) > 0;
     Some(inside || beyond)

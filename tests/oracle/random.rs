@@ -106,11 +106,7 @@ impl Random {
     }
 
     pub(crate) fn vector(&mut self, style: Style) -> DVec3 {
-        DVec3::new(
-            self.number(style),
-            self.number(style),
-            self.number(style),
-        )
+        DVec3::new(self.number(style), self.number(style), self.number(style))
     }
 
     /// A vector that is not zero.
@@ -144,7 +140,11 @@ impl Random {
         for _ in 0..self.between(0, most) {
             vector[axis] = vector[axis].next_up();
         }
-        if self.once_in(2) { vector } else { mirror(vector, axis, most) }
+        if self.once_in(2) {
+            vector
+        } else {
+            mirror(vector, axis, most)
+        }
     }
 }
 

@@ -75,7 +75,9 @@ pub(crate) fn passes_inside(flat: &Flat, borders: &[Line], ray: &Ray) -> bool {
 
 /// Whether and where a ray enters a round surface from outside.
 fn enters(center: DVec3, axes: DVec3, ray: &Ray) -> Option<Parabola> {
-    let origin = Vector::to(&ray.origin).minus(&Vector::of(center)).over(axes);
+    let origin = Vector::to(&ray.origin)
+        .minus(&Vector::of(center))
+        .over(axes);
     let dir = Vector::of(ray.dir).over(axes);
     let parabola = Parabola {
         a: dir.dot(&dir),
@@ -183,6 +185,8 @@ impl Parabola {
             return sign(&height) == 0;
         }
         let candidate = height / slope;
-        [self, other].iter().all(|one| one.compare_root(&candidate) == Ordering::Equal)
+        [self, other]
+            .iter()
+            .all(|one| one.compare_root(&candidate) == Ordering::Equal)
     }
 }
