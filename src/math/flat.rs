@@ -260,7 +260,8 @@ impl Flat {
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
         let crossing = self.crossing(ray)?;
         let t = crossing.distance();
-        span.contains(t).then(|| (t, crossing.error(t)))
+        let error = crossing.error(t);
+        span.admits(t, error).then_some((t, error))
     }
 
     /// The point of the plane at distance `t` on a ray that meets it there.

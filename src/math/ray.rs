@@ -208,6 +208,15 @@ impl Span {
         t > 0.0 && t >= self.min && t <= self.max
     }
 
+    /// Whether a hit counts that was computed to lie at distance `t`, but may be nearer by as much
+    /// as `error`.
+    ///
+    /// So a hit that may be the nearest is not lost only because another is known better.
+    #[must_use]
+    pub fn admits(self, t: f64, error: f64) -> bool {
+        t > 0.0 && t >= self.min && t - error <= self.max && t <= f64::MAX
+    }
+
     /// The part up to distance `t`.
     #[must_use]
     pub fn until(self, t: f64) -> Self {

@@ -103,11 +103,12 @@ impl Rectangle {
         let scaled = self.inside(&crossing, ray)?;
         // Only a certain hit is divided.
         let t = crossing.distance();
-        if !span.contains(t) {
+        let error = crossing.error(t);
+        if !span.admits(t, error) {
             return None;
         }
         let offset = scaled / crossing.slope.abs();
-        Some((t, crossing.error(t), offset.max(DVec2::ZERO).min(self.size)))
+        Some((t, error, offset.max(DVec2::ZERO).min(self.size)))
     }
 
     /// Whether the rectangle stands between the ends of a segment, whose `end` is on this side.

@@ -157,7 +157,7 @@ impl Ellipsoid {
 impl Surface for Ellipsoid {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         // In the space where the ellipsoid is the unit sphere.
-        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let (t, error) = self.entry(ray).filter(|(t, error)| span.admits(*t, *error))?;
         let on_sphere = direction(self.shrunk(ray.origin.from(self.center) + ray.dir * t));
         let point = Point {
             anchor: self.center,

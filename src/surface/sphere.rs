@@ -107,7 +107,7 @@ impl Sphere {
 
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let (t, error) = self.entry(ray).filter(|(t, error)| span.admits(*t, *error))?;
         let normal = direction(ray.origin.from(self.center) + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
         let point = Point {

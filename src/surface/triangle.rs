@@ -109,11 +109,15 @@ impl Surface for Triangle {
         if !self.contains_line(ray, &crossing) {
             return None;
         }
-        let t = Some(crossing.distance()).filter(|t| span.contains(*t))?;
+        let t = crossing.distance();
+        let error = crossing.error(t);
+        if !span.admits(t, error) {
+            return None;
+        }
         let point = self.flat.foot(ray, t);
         Some(Hit {
             t,
-            error: crossing.error(t),
+            error,
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
