@@ -116,8 +116,7 @@ impl Rectangle {
     #[inline]
     pub fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
-            self.inside(&crossing, &segment.ray).is_some()
-                && segment.span.contains(crossing.distance())
+            self.inside(&crossing, &segment.ray).is_some() && segment.holds(&crossing)
         })
     }
 

@@ -9,7 +9,7 @@ use heliodon::surface::Surface;
 
 use super::cases::{self, Boxed};
 use super::random::Random;
-use super::rational::{Vector, rounded};
+use super::rational::{Vector, number, rounded, sign};
 use super::tally::Tally;
 use super::truth::{self, Distance};
 
@@ -188,10 +188,13 @@ fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool
         return None;
     }
     let sides = truth::side(&flat, &start) * truth::side(&flat, &end);
-    // A segment so flat that its rounded direction no longer crosses the plane crosses it here.
-    let crosses = truth::crosses(&flat, &segment.ray).is_some();
-    let inside = || truth::passes_inside(&flat, &surface.borders(), &segment.ray);
-    (crosses || sides >= 0).then(|| sides < 0 && inside())
+    if sides >= 0 {
+        return Some(false);
+    }
+    // The direction of a segment so flat that rounding turns it the other way says nothing.
+    let rises = truth::side(&flat, &end);
+    let rise = Vector::of(flat.normal).dot(&Vector::of(segment.ray.dir));
+    (sign(&rise) == rises).then(|| truth::passes_inside(&flat, &surface.borders(), &segment.ray))
 }
 
 fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {
@@ -203,9 +206,7 @@ fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -
         return None;
     };
     let size = segment.ray.origin.size() + center.abs().element_sum() + axes.element_sum();
-    let near = entry.compare(&Distance::Quotient(super::rational::number(
-        2.0 * rounding + 1e-6 * size,
-    )));
+    let near = entry.compare(&Distance::Quotient(number(2.0 * rounding + 1e-6 * size)));
     if near != Ordering::Greater {
         return None;
     }
@@ -213,6 +214,6 @@ fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -
         .minus(&Vector::of(center))
         .over(axes);
     let inside = truth::side_of_round(center, axes, &Point::exact(segment.end)) < 0;
-    let beyond = super::rational::sign(&end.dot(&Vector::of(segment.ray.dir).over(axes))) > 0;
+    let beyond = sign(&end.dot(&Vector::of(segment.ray.dir).over(axes))) > 0;
     Some(inside || beyond)
 }
