@@ -6,10 +6,13 @@
 mod oracle {
     pub(crate) mod cases;
     pub(crate) mod decisions;
+    pub(crate) mod floors;
     pub(crate) mod random;
     pub(crate) mod rational;
+    pub(crate) mod rooms;
     pub(crate) mod tally;
     pub(crate) mod truth;
 
+    mod closed;
     mod equality;
 }

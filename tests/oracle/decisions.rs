@@ -184,7 +184,7 @@ fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool
     let [base, normal] = flat.decisive().map(Vector::of);
     let height = rounded(&normal.dot(&Vector::to(&start).minus(&base))).abs();
     let size = start.size() + flat.point.abs().element_sum();
-    if height <= 2.0 * rounding + 1e-13 * size {
+    if height <= 2.0 * rounding + 1e-13 * size + f64::MIN_POSITIVE {
         return None;
     }
     let sides = truth::side(&flat, &start) * truth::side(&flat, &end);

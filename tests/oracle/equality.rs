@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::decisions::{self, Tallies};
 use super::random::Random;
+use super::tally::Tally;
 
 /// How many cases of each kind.
 pub(super) fn cases() -> u64 {
@@ -11,26 +12,30 @@ pub(super) fn cases() -> u64 {
     asked.map_or(30_000, |count| count.parse().expect("a number of cases"))
 }
 
-const SEED: u64 = 0x48_65_6c_69;
+pub(super) const SEED: u64 = 0x48_65_6c_69;
+
+/// Fails unless nothing was found wrong.
+pub(super) fn verdict(what: &str, tally: &Tally) {
+    println!(
+        "{what}: {} cases, {} positive, {} exactly, {} by rule, {} wrong",
+        tally.cases, tally.positive, tally.exactly, tally.by_rule, tally.mismatches
+    );
+    assert!(
+        tally.mismatches == 0,
+        "{what}: {} of {} are not as exact arithmetic has them:\n{}",
+        tally.mismatches,
+        tally.cases,
+        tally.samples.join("\n")
+    );
+}
 
 fn run(what: &str, check: impl Fn(&mut Random, &mut Tallies)) -> Tallies {
     let mut tallies = Tallies::default();
     for case in 0..cases() {
         check(&mut Random::of(SEED, case), &mut tallies);
     }
-    for (kind, tally) in [("random", &tallies.random), ("aimed", &tallies.aimed)] {
-        println!(
-            "{what}, {kind}: {} cases, {} positive, {} exactly, {} by rule, {} wrong",
-            tally.cases, tally.positive, tally.exactly, tally.by_rule, tally.mismatches
-        );
-        assert!(
-            tally.mismatches == 0,
-            "{what}: {} of {} decisions are not the exact ones:\n{}",
-            tally.mismatches,
-            tally.cases,
-            tally.samples.join("\n")
-        );
-    }
+    verdict(&format!("{what}, random"), &tallies.random);
+    verdict(&format!("{what}, aimed"), &tallies.aimed);
     tallies
 }
 

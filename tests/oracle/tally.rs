@@ -16,7 +16,15 @@ pub(crate) struct Tally {
     pub(crate) exactly: u64,
     /// Cases that were decided by a rule.
     pub(crate) by_rule: u64,
-    /// Decisions other than the exact ones.
+    /// Rays at a seam that met nothing.
+    pub(crate) none: u64,
+    /// Rays at a seam that met more than one tile.
+    pub(crate) several: u64,
+    /// Rays that left a closed room.
+    pub(crate) leaks: u64,
+    /// Rays that met the sheet that they left, or one that they led away from.
+    pub(crate) self_hits: u64,
+    /// Whatever is not as exact arithmetic has it, the above included.
     pub(crate) mismatches: u64,
     /// The first few of them, in words.
     pub(crate) samples: Vec<String>,
@@ -34,6 +42,15 @@ impl Tally {
             self.exactly += 1;
         }
         decided
+    }
+
+    /// [`observe`](Self::observe) for what counts for itself.
+    pub(crate) fn observe_within(&mut self, count: impl FnOnce(&mut Self)) {
+        let before = Decisions::of_this_thread();
+        count(self);
+        let taken = Decisions::of_this_thread() - before;
+        self.exactly += taken.exactly;
+        self.by_rule += taken.by_rule;
     }
 
     /// Compares a decision with the exact one.
@@ -67,6 +84,10 @@ impl AddAssign for Tally {
         self.positive += other.positive;
         self.exactly += other.exactly;
         self.by_rule += other.by_rule;
+        self.none += other.none;
+        self.several += other.several;
+        self.leaks += other.leaks;
+        self.self_hits += other.self_hits;
         self.mismatches += other.mismatches;
         self.samples.extend(other.samples);
         self.samples.truncate(3);
