@@ -77,7 +77,7 @@ impl Triangle {
                 Line::between(c, b),
                 Line::between(a, c),
             ],
-            slack: 0.0,
+            slack: UNDERFLOW,
         })
     }
 

@@ -53,7 +53,7 @@ fn no_ray_leaves_a_closed_room() {
 
 #[test]
 fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
-    const BOUNCES: u32 = 10;
+    const BOUNCES: u32 = 100;
     for (what, make) in [
         (
             "mirrors of planes",

@@ -75,7 +75,7 @@ pub(crate) fn side(random: &mut Random, tallies: &mut Tallies) {
     let (ray, aimed) = cases::ray(random, &*surface, style, scale);
     let mut point = ray.origin;
     if aimed && let Some(exact) = truth::meets(&*surface, &ray) {
-        let way = Vector::of(ray.dir * exact.approximate());
+        let way = Vector::of(ray.dir * exact.approximate().min(FARTHEST));
         point.offset = random.nudged(way.plus(&Vector::of(point.offset)).rounded(), 3);
     }
     let exact = match surface.round() {

@@ -51,8 +51,8 @@ impl Axes {
         match random.below(3) {
             0 => whole(random.pick(&ALONG_WORLD), 1),
             1 => {
-                let [a, b, c] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [2.0, -2.0, 1.0]];
-                whole([b, c, a].map(DVec3::from), 3)
+                let axes = [[2.0, 1.0, -2.0], [-2.0, 2.0, -1.0], [1.0, 2.0, 2.0]];
+                whole(axes.map(DVec3::from), 3)
             }
             _ => loop {
                 let (normal, xdir) = (random.cube(), random.cube());
