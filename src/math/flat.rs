@@ -159,8 +159,7 @@ impl Flat {
         let ray = &segment.ray;
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
-        let doubt = self.doubt + ray.doubt;
-        let start = if height.abs() > doubt {
+        let start = if height.abs() > self.doubt + ray.whole_doubt {
             Sign::of(-height)
         } else {
             self.side_of_origin(ray)
@@ -175,7 +174,7 @@ impl Flat {
             height,
             slope: self.normal.dot(ray.dir),
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
         })
     }
 
@@ -186,16 +185,15 @@ impl Flat {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let slope = self.normal.dot(ray.dir);
-        let doubt = self.doubt + ray.doubt;
         let rises = slope > 0.0;
         let crossing = Crossing {
             origin,
             height,
             slope,
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
         };
-        if height.abs() > doubt && slope.abs() > SLOPE {
+        if height.abs() > self.doubt + ray.whole_doubt && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)

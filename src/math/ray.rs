@@ -77,9 +77,11 @@ pub struct Ray<'a> {
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
     pub departure: Option<&'a Departure>,
-    /// The ray's share in what a height above a plane can be off by: what rounding its origin
-    /// took, and takes again when the way to the plane's point is computed.
+    /// The ray's share in what the computed height of its origin above a plane can be off by.
     pub(crate) doubt: f64,
+    /// The same, and how far the origin is from where it ought to be: within this of a plane, the
+    /// origin's side does not count.
+    pub(crate) whole_doubt: f64,
 }
 
 /// A hit from which other rays start.
@@ -94,31 +96,33 @@ pub struct Departure {
     pub before: Point,
     /// Where the ray that arrived went.
     pub arrival: DVec3,
-    /// How far at most the distance to the hit is from the exact one.
-    error: f64,
-    doubt: f64,
+    /// How far at most the point lies from where it ought to.
+    rounding: f64,
 }
 
 impl Departure {
     /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
     pub fn new(support: Option<Support>, arriving: &Ray<'_>, point: Point, error: f64) -> Self {
-        let doubt = (FOOT / HEIGHT) * arriving.doubt + (FOOT + HEIGHT) * point.size() + 2.0 * error;
+        let (_, before) = arriving.origin.seen_from(point.anchor);
+        let size = before + point.offset.abs().element_sum();
         Self {
             support,
             point,
             before: arriving.origin,
             arrival: arriving.dir,
-            error,
-            doubt,
+            rounding: arriving.rounding() + FOOT * size + 2.0 * error,
         }
     }
 
-    /// How far at most the point lies from where the ray that arrived met the surface.
+    /// How far at most the point lies from where it ought to: beyond a plane that was not crossed.
+    ///
+    /// That is how far it lies from where the ray that arrived met the surface, and how far that
+    /// ray's own origin was off, since a ray that starts beyond a plane and runs along it ends as
+    /// far beyond.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        let (_, size) = self.before.seen_from(self.point.anchor);
-        FOOT * (size + self.point.offset.abs().element_sum()) + 2.0 * self.error
+        self.rounding
     }
 }
 
@@ -127,11 +131,13 @@ impl<'a> Ray<'a> {
     #[must_use]
     pub fn new(origin: Point, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
+        let doubt = HEIGHT * origin.size();
         Self {
             origin,
             dir,
             departure: None,
-            doubt: HEIGHT * origin.size(),
+            doubt,
+            whole_doubt: doubt,
         }
     }
 
@@ -139,11 +145,13 @@ impl<'a> Ray<'a> {
     #[must_use]
     pub fn leaving(departure: &'a Departure, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
+        let doubt = HEIGHT * departure.point.size();
         Self {
             origin: departure.point,
             dir,
             departure: Some(departure),
-            doubt: departure.doubt,
+            doubt,
+            whole_doubt: doubt + departure.rounding,
         }
     }
 

@@ -117,7 +117,7 @@ impl Ellipsoid {
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = self.shrunk(ray.origin.from(self.center));
         let dir = self.shrunk(ray.dir);
-        let (size, doubt) = (ray.size() + self.size, ray.doubt * self.most_shrink);
+        let (size, doubt) = (ray.size() + self.size, ray.whole_doubt * self.most_shrink);
         let chord = Chord::new(
             origin,
             size * self.most_shrink,

@@ -25,6 +25,8 @@ pub(crate) struct Floor {
 struct Axes {
     /// The corner of the floor, in tenths.
     base: [i32; 3],
+    /// All lengths are multiples of so many tenths.
+    step: i32,
     /// Where x, y and the normal point, in whole numbers or in any direction.
     given: [DVec3; 3],
     /// The length of x and of y, if they are made of whole numbers.
@@ -41,9 +43,11 @@ impl Axes {
             [DVec3::Y, DVec3::Z, DVec3::X],
             [DVec3::Z, DVec3::X, DVec3::Y],
         ];
-        let base = [0; 3].map(|_| random.between(-200, 200));
+        let step = random.pick(&[1, 10]);
+        let base = [0; 3].map(|_| step * random.between(-200, 200));
         let whole = |given, length| Self {
             base,
+            step,
             given,
             whole: Some(length),
             scale: 1.0,
@@ -61,6 +65,7 @@ impl Axes {
                 };
                 return Self {
                     base,
+                    step,
                     given: [frame.x, frame.y, normal],
                     whole: None,
                     scale: random.power(-100, 100),
@@ -98,14 +103,15 @@ impl Floor {
     /// A floor of two or three rows.
     pub(crate) fn any(random: &mut Random) -> Self {
         let axes = Axes::any(random);
+        let step = axes.step;
         let width = random.between(20, 60);
         let mut rows = vec![0];
         let mut cuts = Vec::new();
         for _ in 0..random.between(2, 3) {
-            rows.push(rows[rows.len() - 1] + random.between(5, 20));
-            let inner = random.between(3, width - 3);
+            rows.push(rows[rows.len() - 1] + step * random.between(5, 20));
+            let inner = step * random.between(3, width - 3);
             let same = cuts.last().cloned().filter(|_| random.once_in(2));
-            cuts.push(same.unwrap_or_else(|| vec![0, inner, width]));
+            cuts.push(same.unwrap_or_else(|| vec![0, inner, step * width]));
         }
         let mut floor = Self {
             surfaces: Vec::new(),
@@ -134,11 +140,15 @@ impl Floor {
         [left, right]: [i32; 2],
         [low, high]: [i32; 2],
     ) -> Vec<Boxed> {
-        let Axes { given, whole, .. } = self.axes;
+        let Axes {
+            given, whole, step, ..
+        } = self.axes;
         let [x, y, normal] = given;
         let corners = [[left, low], [right, low], [right, high], [left, high]];
         let places = corners.map(|[x, y]| self.axes.place(x, y));
-        if whole.is_some() && random.once_in(4) {
+        // The edges of triangles go through their corners as doubles, so they only meet those of
+        // rectangles where the corners are doubles.
+        if whole.is_some() && step == 10 && random.once_in(4) {
             let [a, b, c, d] = places;
             let halves = [[a, b, c], [c, d, a]].map(|vertices| {
                 let made = Triangle::new(common(), vertices).expect("three corners");
@@ -206,6 +216,7 @@ impl Floor {
     /// A ray at a seam, or so little beside it that it still meets the floor.
     fn ray(&self, random: &mut Random) -> Ray<'static> {
         let [along_x, along_y, normal] = self.axes.given;
+        let step = f64::from(self.axes.step);
         let unit_length = 0.1 * self.axes.scale;
         let [x, y] = self.target(random);
         let base = DVec3::from(self.axes.base.map(f64::from));
@@ -218,11 +229,11 @@ impl Floor {
         };
         let height = (random.share() + 0.1) * if random.once_in(2) { lift } else { -lift };
         let flat = away - normal * (away.dot(normal) / normal.length_squared());
-        let back = (flat + normal * height) * (100.0 * unit_length);
+        let back = (flat + normal * height) * (100.0 * step * unit_length);
         let way = if random.once_in(16) {
             -back
         } else {
-            let beside = 100.0 * unit_length * lift * random.power(-54, -12);
+            let beside = 100.0 * step * unit_length * lift * random.power(-54, -12);
             -back + random.cube() * beside
         };
         let dir = unit(way).unwrap_or(DVec3::Z);

@@ -109,6 +109,9 @@ impl Distance {
 
     /// How far a computed distance is off, in units of the error that it admits.
     pub(crate) fn share_of_error(&self, t: f64, error: f64) -> f64 {
+        if !error.is_finite() {
+            return 0.0;
+        }
         let t = number(t);
         let apart = match self {
             Self::Quotient(exact) => exact - t,
