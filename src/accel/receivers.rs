@@ -1,37 +1,56 @@
-//! On which sides of a plane there is something to be put into shadow.
+//! Which surface can put which other one into shadow.
 
 use glam::DVec3;
 
 use super::Entry;
+use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
-use crate::math::{Flat, Side, Support};
+use crate::math::{Flat, Point, Side, Support};
 
-/// Where a surface that can be in shadow is.
+/// A surface as the side of others that light comes from, and that shadows fall on.
 #[derive(Debug)]
-pub(super) struct Receiver {
+pub(super) struct Body {
     support: Option<Support>,
     flat: Option<Flat>,
+    outline: Vec<DVec3>,
     /// Points around it, exact and rounded; `None` if it has no end.
     hull: Option<Vec<(ExactVector, DVec3)>>,
 }
 
-impl Receiver {
-    /// The receivers of a list of surfaces.
-    pub(super) fn all(entries: &[Entry<'_>]) -> Vec<Self> {
-        let receive = |entry: &&Entry<'_>| entry.surface.common().shadows.receive;
-        let receivers = entries.iter().filter(receive).map(|entry| {
-            let hull = entry.surface.hull();
-            let with_rounded = |point: ExactVector| {
-                let rounded = point.rounded();
-                (point, rounded)
-            };
-            Self {
-                support: entry.support,
-                flat: entry.surface.flat(),
-                hull: hull.map(|hull| hull.into_iter().map(with_rounded).collect()),
-            }
-        });
-        receivers.collect()
+impl Body {
+    pub(super) fn of(entry: &Entry<'_>) -> Self {
+        let surface = entry.surface;
+        let with_rounded = |point: ExactVector| {
+            let rounded = point.rounded();
+            (point, rounded)
+        };
+        Self {
+            support: entry.support,
+            flat: surface.flat(),
+            outline: surface.outline(),
+            hull: surface
+                .hull()
+                .map(|hull| hull.into_iter().map(with_rounded).collect()),
+        }
+    }
+
+    /// Whether it can hide a light at this place from some part of another surface; `side` is the
+    /// one of its own that the light is on.
+    ///
+    /// A plane can only stand between the light and what is strictly on its other side, and one
+    /// with an end only before what its shadow pyramid meets. What is behind the floor and the
+    /// walls of a room is nothing, so they hide nothing.
+    pub(super) fn can_hide(&self, light: DVec3, side: Side, from: &Self) -> bool {
+        if self.support.is_some() && self.support == from.support {
+            return false;
+        }
+        let Some(flat) = &self.flat else {
+            return true;
+        };
+        // A plane hides nothing from a light in it.
+        side.opposite()
+            .is_some_and(|behind| from.reaches(flat, behind))
+            && !self.shadow_passes_by(light, from)
     }
 
     /// Whether some of it can lie strictly on this side of a plane.
@@ -44,18 +63,37 @@ impl Receiver {
             (None, None) => true,
         }
     }
+
+    /// Whether another surface is certainly on the outer side of one of the planes through a
+    /// light and a border of this one.
+    fn shadow_passes_by(&self, light: DVec3, other: &Self) -> bool {
+        let Some(hull) = &other.hull else {
+            return false;
+        };
+        let next = self.outline.iter().cycle().skip(1);
+        let inner = self.outline.iter().cycle().skip(2);
+        let mut borders = self.outline.iter().zip(next).zip(inner);
+        borders.any(|((from, to), inner)| {
+            let inside = volume(light, *from, *to, *inner);
+            let apart = |(_, point): &(ExactVector, DVec3)| match volume(light, *from, *to, *point)
+            {
+                0.0 => false,
+                side => inside != 0.0 && (side > 0.0) != (inside > 0.0),
+            };
+            hull.iter().all(apart)
+        })
+    }
 }
 
-/// Whether a surface in a plane on this sheet can put anything into shadow that lies strictly on
-/// this side of the plane.
-pub(super) fn anything_on(
-    side: Side,
-    flat: &Flat,
-    support: Option<Support>,
-    receivers: &[Receiver],
-) -> bool {
-    let mut others = receivers
-        .iter()
-        .filter(|receiver| support.is_none() || receiver.support != support);
-    others.any(|receiver| receiver.reaches(flat, side))
+/// Six times the volume of a tetrahedron, positive for one turn of its corners and negative for the
+/// other; zero if rounding leaves doubt about which it is.
+fn volume(top: DVec3, a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    // Each difference, product and sum is rounded once, 11 on the longest path; corners may be
+    // rounded too, and points that are computed on a surface lie off it by 16 roundings. All are
+    // relative to products of sums of coordinates.
+    const BOUND: f64 = 128.0 * UNIT;
+    let size = |point: DVec3| Point::exact(point).size() + Point::exact(top).size();
+    let volume = (a - top).cross(b - top).dot(c - top);
+    let doubt = BOUND * size(a) * size(b) * size(c);
+    if volume.abs() > doubt { volume } else { 0.0 }
 }

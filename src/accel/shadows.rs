@@ -2,74 +2,113 @@
 
 use glam::DVec3;
 
-use super::receivers::{Receiver, anything_on};
+use super::receivers::Body;
 use super::{Entry, SurfaceList};
 use crate::math::{Point, Rgb, Segment, Side, Support};
 
 /// A scene's surfaces as one light has them before it.
 #[derive(Debug)]
 pub struct LightView<'a> {
-    /// The surfaces that can cast a shadow, each with its side that the light is on.
-    casters: Vec<(Entry<'a>, Side)>,
-    /// For every surface of the list, whether the light is behind its plane or in it.
-    unlit: Vec<bool>,
+    /// What can cast a shadow, in lists of which each serves one surface or more.
+    casters: Vec<Vec<Caster<'a>>>,
+    /// For every surface which of the lists counts for it; `None` if the light is behind its plane
+    /// or in it.
+    list_of: Vec<Option<usize>>,
 }
+
+/// A surface that can cast a shadow.
+#[derive(Debug, Clone, Copy)]
+struct Caster<'a> {
+    entry: Entry<'a>,
+    /// The side of the surface that the light is on.
+    side: Side,
+}
+
+/// The most surfaces of which each has its own list of casters; of more, all share one.
+///
+/// The lists take the square of the number of surfaces to make. Smaller, and scenes of a few dozen
+/// surfaces test shadows in vain; larger, and making the lists takes longer than it saves.
+const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
     /// What lights at these places have before them.
     #[must_use]
     pub fn all(surfaces: &SurfaceList<'a>, lights: impl Iterator<Item = DVec3>) -> Vec<Self> {
-        let receivers = Receiver::all(surfaces.entries());
-        let view = |light| Self::new(surfaces, &receivers, light);
+        let bodies: Vec<_> = surfaces.entries().iter().map(Body::of).collect();
+        let view = |light| Self::new(surfaces, &bodies, light);
         lights.map(view).collect()
     }
 
     /// What a light at this place has before it.
-    ///
-    /// A plane can only stand between the light and what is strictly on its other side. If nothing
-    /// is there, as behind the floor and the walls of a room, it is no caster.
-    fn new(surfaces: &SurfaceList<'a>, receivers: &[Receiver], location: DVec3) -> Self {
-        let casts = |entry: &Entry<'_>, side: Side| {
-            let Some(flat) = entry.surface.flat() else {
-                return true;
-            };
-            // A plane hides nothing from a light in it.
-            side.opposite()
-                .is_some_and(|other| anything_on(other, &flat, entry.support, receivers))
-        };
-        let location = Point::exact(location);
-        let sides = surfaces
+    fn new(surfaces: &SurfaceList<'a>, bodies: &[Body], light: DVec3) -> Self {
+        let location = Point::exact(light);
+        let casters: Vec<_> = surfaces
             .entries()
             .iter()
-            .map(|entry| (*entry, entry.surface.side(&location)));
-        let unlit = sides
-            .clone()
-            .map(|(entry, side)| entry.surface.flat().is_some() && side != Side::Front);
-        Self {
-            unlit: unlit.collect(),
-            casters: sides
-                .filter(|(entry, _)| entry.surface.common().shadows.cast)
-                .filter(|(entry, side)| casts(entry, *side))
-                .collect(),
+            .filter(|entry| entry.surface.common().shadows.cast)
+            .map(|entry| Caster {
+                entry: *entry,
+                side: entry.surface.side(&location),
+            })
+            .collect();
+        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
+            let body = &bodies[caster.entry.index];
+            body.can_hide(light, caster.side, &bodies[from.index])
+        };
+        let lit: Vec<_> = surfaces
+            .entries()
+            .iter()
+            .filter(|entry| {
+                let surface = entry.surface;
+                surface.flat().is_none() || surface.side(&location) == Side::Front
+            })
+            .collect();
+        let mut view = Self {
+            casters: Vec::new(),
+            list_of: vec![None; bodies.len()],
+        };
+        if bodies.len() > MOST_LISTS {
+            for entry in lit {
+                view.list_of[entry.index] = Some(0);
+            }
+            view.casters.push(casters);
+            return view;
         }
+        for entry in lit {
+            view.list_of[entry.index] = Some(view.casters.len());
+            let own = casters.iter().filter(|caster| hides(caster, entry));
+            view.casters.push(own.copied().collect());
+        }
+        view
     }
 
     /// Whether light from here can reach the front of a surface at all.
     #[must_use]
     pub fn lights(&self, entry: &Entry<'_>) -> bool {
-        !self.unlit[entry.index]
+        self.list_of[entry.index].is_some()
     }
 
-    /// The share of the light's colour that passes along a segment to it.
+    /// What can stand between the light and a surface.
+    fn casters_for(&self, entry: &Entry<'_>) -> &[Caster<'a>] {
+        self.list_of[entry.index].map_or(&[], |list| &self.casters[list])
+    }
+
+    /// Whether anything can stand between the light and a surface.
+    #[must_use]
+    pub fn can_be_hidden_from(&self, entry: &Entry<'_>) -> bool {
+        !self.casters_for(entry).is_empty()
+    }
+
+    /// The share of the light's colour that passes along a segment from a surface to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
     /// the first in the file counts.
     #[must_use]
-    pub fn transmittance(&self, segment: &Segment) -> Rgb {
+    pub fn transmittance(&self, from: &Entry<'_>, segment: &Segment) -> Rgb {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
         let left = segment.ray.leaves();
-        for (entry, side) in &self.casters {
+        for Caster { entry, side } in self.casters_for(from) {
             if entry.lies_on(left) || !entry.surface.occludes(segment, *side) {
                 continue;
             }

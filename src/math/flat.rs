@@ -306,6 +306,13 @@ impl Crossing {
         (self.height / self.slope).max(SMALLEST)
     }
 
+    /// Whether the crossing lies beyond a span for certain, before any division.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_beyond(&self, span: Span) -> bool {
+        self.height.abs() - self.doubt > span.max() * (self.slope.abs() + SLOPE)
+    }
+
     /// How far at most a distance is from the exact one.
     #[must_use]
     pub fn error(&self, t: f64) -> f64 {

@@ -210,6 +210,12 @@ impl Span {
         max: f64::MAX,
     };
 
+    /// The largest distance that counts.
+    #[must_use]
+    pub fn max(self) -> f64 {
+        self.max
+    }
+
     /// Whether a hit at distance `t` counts.
     #[must_use]
     pub fn contains(self, t: f64) -> bool {

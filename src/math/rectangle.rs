@@ -100,6 +100,9 @@ impl Rectangle {
     #[inline]
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
         let crossing = self.flat.crossing(ray)?;
+        if crossing.is_beyond(span) {
+            return None;
+        }
         let scaled = self.inside(&crossing, ray)?;
         // Only a certain hit is divided.
         let t = crossing.distance();

@@ -182,7 +182,7 @@ impl<'a> Tracer<'a> {
             return Some(leaving);
         }
         probe.shadow_ray();
-        let passed = view.transmittance(segment);
+        let passed = view.transmittance(entry, segment);
         (!passed.is_black()).then(|| leaving * passed)
     }
 }

@@ -106,7 +106,7 @@ impl Triangle {
 impl Surface for Triangle {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let crossing = self.flat.crossing(ray)?;
-        if !self.contains_line(ray, &crossing) {
+        if crossing.is_beyond(span) || !self.contains_line(ray, &crossing) {
             return None;
         }
         let t = crossing.distance();

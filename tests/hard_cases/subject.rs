@@ -1,0 +1,229 @@
+//! The program under test: the only file here that knows how Heliodon is called.
+
+use heliodon::accel::SurfaceList;
+use heliodon::film::{Film, Rounding};
+use heliodon::language::{Node, render_problems};
+use heliodon::math::{Departure, Numerics, Point, Ray, Span, Support, unit};
+use heliodon::measure::check;
+use heliodon::read::{Options, Rejection, read_bytes};
+use heliodon::render::{Counts, render};
+use heliodon::scene::Scene;
+use heliodon::surface::{Hit, Surface, classic};
+
+use crate::cases;
+
+/// A way to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum BackEnd {
+    /// The default: every yes/no is decided exactly.
+    Robust,
+    /// The chapter's own algorithm in doubles.
+    Classic,
+    /// The same in single precision.
+    ClassicF32,
+}
+
+impl BackEnd {
+    /// All of them, in the order of the table.
+    pub(crate) const ALL: [Self; 3] = [Self::Robust, Self::Classic, Self::ClassicF32];
+
+    /// Its word in the scene language, in the table and in case files.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Robust => "robust",
+            Self::Classic => "classic",
+            Self::ClassicF32 => "classic-f32",
+        }
+    }
+
+    fn numerics(self) -> Numerics {
+        match self {
+            Self::Robust => Numerics::Robust,
+            Self::Classic => Numerics::Classic,
+            Self::ClassicF32 => Numerics::ClassicF32,
+        }
+    }
+
+    fn options(self) -> Options {
+        Options {
+            numerics: Some(self.numerics()),
+            ..Options::default()
+        }
+    }
+}
+
+/// A scene as a back end has read it.
+///
+/// Scenes and what is made of them live until the test ends, which saves them from owning each other.
+#[derive(Debug)]
+pub(crate) struct Subject {
+    scene: &'static Scene,
+    surfaces: &'static [Box<dyn Surface>],
+    numerics: Numerics,
+}
+
+/// Why a scene is refused.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    /// Everything that is said: message, place, advice.
+    pub(crate) said: String,
+    /// Whether a line of the file is pointed at.
+    pub(crate) has_place: bool,
+}
+
+/// Where a ray first meets a surface.
+#[derive(Debug)]
+pub(crate) struct Met<'a> {
+    surface: &'a dyn Surface,
+    support: Option<Support>,
+    hit: Hit,
+}
+
+/// A scene ready to be asked about rays.
+#[derive(Debug)]
+pub(crate) struct Stage<'a> {
+    surfaces: &'a [Box<dyn Surface>],
+    list: SurfaceList<'a>,
+}
+
+impl Subject {
+    /// Reads a whole scene.
+    pub(crate) fn read(back_end: BackEnd, text: &str) -> Result<Self, Refused> {
+        let read = read_bytes(
+            "scene.kdl",
+            text.into(),
+            cases::folder(),
+            &back_end.options(),
+        );
+        read.map(|reading| {
+            let scene: &'static Scene = Box::leak(Box::new(reading.scene));
+            let numerics = back_end.numerics();
+            let surfaces = classic::surfaces(&scene.surfaces, numerics);
+            Self {
+                scene,
+                surfaces: surfaces.map_or(&scene.surfaces, |classic| classic.leak()),
+                numerics,
+            }
+        })
+        .map_err(|rejection| Refused::from(&rejection))
+    }
+
+    /// The scene as nodes of the scene language.
+    pub(crate) fn nodes(&self) -> Vec<Node> {
+        self.scene.describe()
+    }
+
+    /// The surfaces as nodes of the scene language.
+    pub(crate) fn surfaces(&self) -> Vec<Node> {
+        let surfaces = self.scene.surfaces.iter();
+        surfaces
+            .map(|surface| surface.common().describe(surface.describe()))
+            .collect()
+    }
+
+    /// What is odd about the scene.
+    pub(crate) fn warnings(&self) -> String {
+        render_problems(&check(self.scene), &self.scene.sources, false, 100)
+    }
+
+    /// The scene ready to be asked about rays.
+    pub(crate) fn stage(&self) -> Stage<'_> {
+        Stage {
+            surfaces: self.surfaces,
+            list: match self.numerics {
+                Numerics::Robust => SurfaceList::new(self.surfaces),
+                Numerics::Classic | Numerics::ClassicF32 => {
+                    SurfaceList::without_sheets(self.surfaces)
+                }
+            },
+        }
+    }
+
+    /// The picture, and how many rays it took.
+    pub(crate) fn picture(&self) -> Result<(Film, Counts), String> {
+        render(self.scene, &|_| ()).map_err(|refusal| refusal.reason.to_string())
+    }
+}
+
+impl From<&Rejection> for Refused {
+    fn from(rejection: &Rejection) -> Self {
+        Self {
+            said: render_problems(&rejection.problems, &rejection.sources, false, 100),
+            has_place: rejection
+                .problems
+                .iter()
+                .any(|problem| problem.place.is_some()),
+        }
+    }
+}
+
+/// A ray that starts in free space, in a direction of any length.
+pub(crate) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
+    let unit = unit(direction.into()).unwrap_or_else(|| panic!("{direction:?} is no direction"));
+    Ray::new(Point::exact(origin.into()), unit)
+}
+
+/// The code value from 0 to 255 that an intensity becomes.
+pub(crate) fn code(intensity: f64) -> u16 {
+    Rounding::Nearest.code(intensity, 255)
+}
+
+impl<'a> Stage<'a> {
+    /// The surface that a ray meets first.
+    pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'a>> {
+        let (entry, hit) = self.list.nearest(ray, Span::AHEAD)?;
+        Some(Met {
+            surface: entry.surface,
+            support: entry.support,
+            hit,
+        })
+    }
+
+    /// The names of all surfaces that a ray meets, each asked by itself.
+    pub(crate) fn every(&self, ray: &Ray) -> Vec<&'a str> {
+        let met = self
+            .surfaces
+            .iter()
+            .filter(|surface| surface.hits(ray, Span::AHEAD).is_some());
+        met.map(|surface| name(&**surface)).collect()
+    }
+}
+
+fn name(surface: &dyn Surface) -> &str {
+    surface.common().name.as_deref().unwrap_or("(unnamed)")
+}
+
+impl Met<'_> {
+    /// The surface's name.
+    pub(crate) fn name(&self) -> &str {
+        name(self.surface)
+    }
+
+    /// The distance.
+    pub(crate) fn t(&self) -> f64 {
+        self.hit.t
+    }
+
+    /// The unit normal.
+    pub(crate) fn normal(&self) -> [f64; 3] {
+        self.hit.normal.to_array()
+    }
+
+    /// The ambient colour.
+    pub(crate) fn color(&self) -> [f64; 3] {
+        self.surface.getamb(&self.hit).channels()
+    }
+
+    /// Column and row of the texel, in the textures of the suite.
+    pub(crate) fn texel(&self) -> [f64; 2] {
+        let [column, row, _] = self.surface.texel(&self.hit).channels();
+        [column, row].map(|channel| channel * 255.0)
+    }
+
+    /// The ray that is mirrored here.
+    pub(crate) fn mirrored(&self, ray: &Ray) -> Ray<'static> {
+        let direction = ray.mirrored(self.hit.normal);
+        let departure = Departure::new(self.support, ray, self.hit.point, self.hit.error);
+        Ray::leaving(Box::leak(Box::new(departure)), direction)
+    }
+}

@@ -1,0 +1,211 @@
+//! All answers, and the table that shows them.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use rayon::prelude::*;
+
+use crate::cases::{Case, Node};
+use crate::rays::Answer;
+use crate::subject::BackEnd;
+use crate::{aimed, loading, pictures, rays};
+
+/// How a case ended under a back end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// Every question was answered rightly.
+    Pass,
+    /// What is wrong with the answers.
+    Fail(Vec<String>),
+    /// It was not asked.
+    NotAsked,
+}
+
+/// What every case gave, in the order of the back ends.
+pub(crate) type Row = (Case, [Outcome; 3]);
+
+/// Asks every case under every back end that exists.
+pub(crate) fn run(cases: Vec<Case>) -> Vec<Row> {
+    let asked = cases.into_par_iter().map(|case| {
+        let outcomes = BackEnd::ALL.map(|back_end| outcome(&case, back_end));
+        (case, outcomes)
+    });
+    asked.collect()
+}
+
+fn outcome(case: &Case, back_end: BackEnd) -> Outcome {
+    if case.later.is_some() {
+        return Outcome::NotAsked;
+    }
+    let complaints = case.questions.iter().filter_map(|question| {
+        let answer = catch_unwind(AssertUnwindSafe(|| answer(question, case, back_end)));
+        let answer = answer.unwrap_or_else(|panic| {
+            let text = panic.downcast_ref::<String>().cloned();
+            let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
+            Err(format!("panics: {}", text.unwrap_or_default()))
+        });
+        let what = answer.err()?;
+        let values: Vec<_> = question.values.iter().map(|value| value.trim()).collect();
+        let scene = question
+            .get("in")
+            .map_or(String::new(), |name| format!(" in {name:?}"));
+        let asked = format!("{} {}{scene}", question.word, values.join(" | "));
+        Some(format!("{}: {}: {what}", case.id, asked.trim()))
+    });
+    let complaints: Vec<_> = complaints.collect();
+    if complaints.is_empty() {
+        Outcome::Pass
+    } else {
+        Outcome::Fail(complaints)
+    }
+}
+
+fn answer(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
+    let subject = || pictures::subject(node, case, back_end);
+    match node.word.as_str() {
+        "ray" => rays::single(node, &subject()?),
+        "path" => rays::path(node, &subject()?),
+        "aimed" => aimed::aimed(node, &subject()?),
+        "look" => pictures::look(node, case, back_end),
+        "picture" => pictures::picture(node, case, back_end),
+        "unchanged" => pictures::unchanged(node, case, back_end),
+        "kept" => pictures::kept(node, case, back_end),
+        "refused" => loading::refused(node, back_end),
+        "accepted" => loading::accepted(node, back_end),
+        "warned" => loading::warned(node, case, back_end),
+        "thresholds" => loading::thresholds(node),
+        "code" => loading::one_code(node),
+        other => panic!("there is no question `{other}`"),
+    }
+}
+
+/// The words that each kind of question may have: properties, then children.
+pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2]> {
+    BTreeMap::from([
+        (
+            "ray",
+            [
+                &[
+                    "in",
+                    "first",
+                    "t",
+                    "within",
+                    "normal",
+                    "color",
+                    "texel",
+                    "texel-step",
+                    "texel-size",
+                    "count",
+                    "repeat",
+                    "step",
+                    "nudges",
+                ][..],
+                &[],
+            ],
+        ),
+        (
+            "path",
+            [
+                &["in", "most", "bounces", "unit", "direction", "within"],
+                &[],
+            ],
+        ),
+        (
+            "aimed",
+            [
+                &[
+                    "in", "rays", "seed", "nudges", "first", "count", "texel", "then",
+                ],
+                &["at", "from", "along"],
+            ],
+        ),
+        ("look", [&["in", "lit", "up"], &[]]),
+        (
+            "picture",
+            [
+                &[
+                    "in",
+                    "color",
+                    "within",
+                    "lit",
+                    "white",
+                    "changes",
+                    "same-as",
+                    "mirror-rays",
+                    "shadow-rays",
+                    "transmitted-rays",
+                ],
+                &["drawn"],
+            ],
+        ),
+        (
+            "unchanged",
+            [
+                &["in", "scaled", "moved", "zeros", "split", "into", "threads"],
+                &[],
+            ],
+        ),
+        ("kept", [&["in", "robust", "classic", "classic-f32"], &[]]),
+        ("refused", [&["names"], &[]]),
+        ("accepted", [&[], &[]]),
+        ("warned", [&["in", "names"], &[]]),
+        ("thresholds", [&["nudges"], &[]]),
+        ("code", [&["is"], &[]]),
+    ])
+}
+
+/// The table as it stands in `docs/hard-cases.md`.
+pub(crate) fn table(rows: &[Row]) -> String {
+    let mut text = format!("\n{}\n\n", totals(rows));
+    text += "| | Case | Truth | robust | classic | classic-f32 | Remark |\n";
+    text += "|---|---|---|---|---|---|---|\n";
+    for (case, outcomes) in rows {
+        let words = outcomes.each_ref().map(|outcome| match outcome {
+            Outcome::Pass => "pass",
+            Outcome::Fail(_) => "**fail**",
+            Outcome::NotAsked if case.later.is_some() => "later",
+            Outcome::NotAsked => "–",
+        });
+        let later = case
+            .later
+            .as_ref()
+            .map(|feature| format!("Waits for {feature}."));
+        let remark = later
+            .iter()
+            .chain(&case.remark)
+            .cloned()
+            .collect::<Vec<_>>()
+            .join(" ");
+        let cells = [&case.id, &case.title, &case.truth].map(|cell| cell.replace('|', "\\|"));
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "| {} | {} | {remark} |",
+            cells.join(" | "),
+            words.join(" | ")
+        );
+    }
+    text + "\n"
+}
+
+fn totals(rows: &[Row]) -> String {
+    let later = rows.iter().filter(|(case, _)| case.later.is_some()).count();
+    let asked = rows.len() - later;
+    let mut lines = vec![format!(
+        "{} cases, of which {later} wait for a feature and {asked} are asked:\n",
+        rows.len()
+    )];
+    lines.push("| | pass | fail |\n|---|---|---|".to_owned());
+    for (index, back_end) in BackEnd::ALL.into_iter().enumerate() {
+        let count = |wanted: fn(&Outcome) -> bool| {
+            rows.iter()
+                .filter(|(_, outcomes)| wanted(&outcomes[index]))
+                .count()
+        };
+        let pass = count(|outcome| *outcome == Outcome::Pass);
+        let fail = count(|outcome| matches!(outcome, Outcome::Fail(_)));
+        lines.push(format!("| {} | {pass} | {fail} |", back_end.word()));
+    }
+    lines.join("\n")
+}
