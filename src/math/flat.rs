@@ -220,27 +220,31 @@ impl Flat {
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
-    /// one on which that ray started; and if it started within rounding of the plane, the side to
-    /// which it went. So nothing leaks through the edges and corners of a room.
+    /// one on which that ray started, and so on from hit to hit. A ray that leaves this very plane
+    /// is on the side to which it goes. So nothing leaks through the edges and corners of a room.
     #[cold]
     fn side_of_origin(&self, ray: &Ray) -> Sign {
-        let Some(departure) = ray.departure else {
-            return self.exact_side(&ray.origin);
+        let mut ray = *ray;
+        let mut inherited = false;
+        let side = loop {
+            let Some(departure) = ray.departure else {
+                break self.exact_side(&ray.origin);
+            };
+            let (way, size) = ray.origin.seen_from(self.point);
+            let height = self.normal.dot(way);
+            if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
+                break Sign::of(height);
+            }
+            inherited = true;
+            if departure.is_in(self) {
+                break ExactVector::from(ray.dir).dot(&self.normal.into()).sign();
+            }
+            ray = departure.arriving;
         };
-        let rounding = departure.rounding();
-        let (way, size) = ray.origin.seen_from(self.point);
-        let height = self.normal.dot(way);
-        if height.abs() > HEIGHT * size + self.slack + rounding {
-            return Sign::of(height);
+        if inherited {
+            Decisions::note(true);
         }
-        let (way, size) = departure.before.seen_from(self.point);
-        let height = self.normal.dot(way);
-        Decisions::note(true);
-        if height.abs() > HEIGHT * size + self.slack + rounding {
-            return Sign::of(height);
-        }
-        let went = ExactVector::from(departure.arrival).dot(&self.normal.into());
-        went.sign()
+        side
     }
 
     /// The distance at which a ray meets the plane, exactly.

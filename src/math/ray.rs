@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::Flat;
 use super::band::{FOOT, HEIGHT, UNIT};
 use super::exact::ExactVector;
 use super::vector::reflected;
@@ -76,7 +77,7 @@ pub struct Ray<'a> {
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
-    pub departure: Option<&'a Departure>,
+    pub departure: Option<&'a Departure<'a>>,
     /// The ray's share in what the computed height of its origin above a plane can be off by.
     pub(crate) doubt: f64,
     /// The same, and how far the origin is from where it ought to be: within this of a plane, the
@@ -86,33 +87,48 @@ pub struct Ray<'a> {
 
 /// A hit from which other rays start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Departure {
+pub struct Departure<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
     pub support: Option<Support>,
     /// The hit.
     pub point: Point,
-    /// Where the ray that arrived had started.
-    pub before: Point,
-    /// Where the ray that arrived went.
-    pub arrival: DVec3,
+    /// The ray that arrived.
+    pub arriving: Ray<'a>,
+    /// The numbers that decide for the plane of the surface, if it is flat.
+    plane: Option<[DVec3; 2]>,
     /// How far at most the point lies from where it ought to.
     rounding: f64,
 }
 
-impl Departure {
+impl<'a> Departure<'a> {
     /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
-    pub fn new(support: Option<Support>, arriving: &Ray<'_>, point: Point, error: f64) -> Self {
+    pub fn new(support: Option<Support>, arriving: &Ray<'a>, point: Point, error: f64) -> Self {
         let (_, before) = arriving.origin.seen_from(point.anchor);
         let size = before + point.offset.abs().element_sum();
         Self {
             support,
             point,
-            before: arriving.origin,
-            arrival: arriving.dir,
+            arriving: *arriving,
+            plane: None,
             rounding: arriving.rounding() + FOOT * size + 2.0 * error,
         }
+    }
+
+    /// The same on a surface in this plane, if it is in one.
+    #[must_use]
+    pub fn in_plane(self, flat: Option<Flat>) -> Self {
+        Self {
+            plane: flat.map(|flat| flat.decisive()),
+            ..self
+        }
+    }
+
+    /// Whether the surface is known to lie in this plane.
+    #[must_use]
+    pub fn is_in(&self, flat: &Flat) -> bool {
+        self.plane == Some(flat.decisive())
     }
 
     /// How far at most the point lies from where it ought to: beyond a plane that was not crossed.
@@ -143,7 +159,7 @@ impl<'a> Ray<'a> {
 
     /// A ray that starts from a hit.
     #[must_use]
-    pub fn leaving(departure: &'a Departure, dir: DVec3) -> Self {
+    pub fn leaving(departure: &'a Departure<'a>, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
         let doubt = HEIGHT * departure.point.size();
         Self {
@@ -165,7 +181,7 @@ impl<'a> Ray<'a> {
     /// How far at most its origin lies from where it ought to.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        self.departure.map_or(0.0, Departure::rounding)
+        self.departure.map_or(0.0, |departure| departure.rounding())
     }
 
     /// The sheet that it starts from.

@@ -20,7 +20,7 @@ pub struct Segment<'a> {
 impl<'a> Segment<'a> {
     /// The segment from a hit to a scene point; `None` if they coincide.
     #[must_use]
-    pub fn new(departure: &'a Departure, end: DVec3) -> Option<Self> {
+    pub fn new(departure: &'a Departure<'a>, end: DVec3) -> Option<Self> {
         let way = -departure.point.from(end);
         let length = way.length();
         if !(length > 0.0 && length.is_finite()) {

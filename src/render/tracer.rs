@@ -80,7 +80,8 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         };
         let surface = entry.surface;
-        let departure = Departure::new(entry.support, ray, hit.point, hit.error);
+        let departure =
+            Departure::new(entry.support, ray, hit.point, hit.error).in_plane(surface.flat());
         let travelled = path.travelled + hit.t;
         let local = self.local_color(ray, entry, &departure, &hit, probe);
         let divisor = self.scene.lighting.view_falloff.divisor(travelled);

@@ -14,7 +14,7 @@ use super::tally::Tally;
 pub(crate) struct Room {
     pub(crate) surfaces: Vec<Boxed>,
     /// Which of them can be passed through.
-    panes: Vec<usize>,
+    transparent: Vec<usize>,
     center: DVec3,
     /// From the centre to the middle of each of three walls; the others are opposite.
     reach: [DVec3; 3],
@@ -46,7 +46,7 @@ impl Room {
         // Half of the way to where three planes meet is still inside.
         let room = Self {
             surfaces,
-            panes: Vec::new(),
+            transparent: Vec::new(),
             center: center * scale,
             reach: walls.map(|wall| wall * scale),
         };
@@ -95,7 +95,7 @@ impl Room {
         let half = (high - low) / 2.0;
         let room = Self {
             surfaces,
-            panes: Vec::new(),
+            transparent: Vec::new(),
             center: low + half,
             reach: [DVec3::X * half.x, DVec3::Y * half.y, DVec3::Z * half.z],
         };
@@ -105,7 +105,7 @@ impl Room {
     /// With a pane across, a ball, both or neither.
     fn furnished(mut self, random: &mut Random) -> Self {
         if random.once_in(2) {
-            self.panes.push(self.surfaces.len());
+            self.transparent.push(self.surfaces.len());
             let pane = Plane::new(common(), self.place(random, 0.2), random.cube());
             self.surfaces.push(Box::new(pane.expect("a normal")));
         }
@@ -116,6 +116,7 @@ impl Room {
                 .into_iter()
                 .fold(f64::MAX, f64::min)
                 / 8.0;
+            self.transparent.push(self.surfaces.len());
             let ball = Sphere::new(common(), self.place(random, 0.3), radius, None);
             self.surfaces.push(Box::new(ball.expect("a radius")));
         }
@@ -173,38 +174,53 @@ impl Room {
         tally: &mut Tally,
     ) {
         let from = self.place(random, 0.4);
-        let first = Ray::new(Point::exact(from), self.direction(random, from));
-        let mut departure: Option<Departure> = None;
-        let mut dir = first.dir;
-        for _ in 0..bounces {
-            let ray = departure
-                .as_ref()
-                .map_or(first, |departure| Ray::leaving(departure, dir));
-            tally.cases += 1;
-            let Some((entry, hit)) = list.nearest(&ray, Span::AHEAD) else {
-                tally.leaks += 1;
-                tally.wrong(|| format!("nothing is met by {ray:?} in {self:?}"));
-                return;
-            };
-            let pane = self.panes.contains(&entry.index);
-            // Walls and balls face the inside of the room, so no ray comes at them from behind.
-            let from_behind = !pane && ray.dir.dot(hit.normal) > 4.0 * f64::EPSILON;
-            if from_behind || entry.support.is_some() && entry.support == ray.leaves() {
-                tally.self_hits += 1;
-                let index = entry.index;
-                tally.wrong(|| format!("surface {index} is met again by {ray:?} in {self:?}"));
-                return;
-            }
-            tally.positive += 1;
-            let through = pane && random.once_in(2);
-            let next = if through {
-                ray.dir
-            } else {
-                ray.mirrored(hit.normal)
-            };
-            departure = Some(Departure::new(entry.support, &ray, hit.point, hit.error));
-            dir = next;
+        let ray = Ray::new(Point::exact(from), self.direction(random, from));
+        self.follow_on(list, &ray, random, bounces, tally);
+    }
+
+    fn follow_on(
+        &self,
+        list: &SurfaceList,
+        ray: &Ray,
+        random: &mut Random,
+        bounces: u32,
+        tally: &mut Tally,
+    ) {
+        tally.cases += 1;
+        let Some((entry, hit)) = list.nearest(ray, Span::AHEAD) else {
+            tally.leaks += 1;
+            tally.wrong(|| format!("nothing is met by {ray:?} in {self:?}"));
+            return;
+        };
+        let can_be_passed = self.transparent.contains(&entry.index);
+        // Walls face the inside of the room, and a ray inside of a ball has left it already.
+        let is_pane = entry.surface.flat().is_some() && can_be_passed;
+        let from_behind = !is_pane && ray.dir.dot(hit.normal) > 4.0 * f64::EPSILON;
+        if from_behind || ray.leaves() == entry.support {
+            tally.self_hits += 1;
+            let index = entry.index;
+            tally.wrong(|| format!("surface {index} is met again by {ray:?} in {self:?}"));
+            return;
         }
+        tally.positive += 1;
+        if bounces == 0 {
+            return;
+        }
+        let departure =
+            Departure::new(entry.support, ray, hit.point, hit.error).in_plane(entry.surface.flat());
+        let through = can_be_passed && random.once_in(2);
+        let dir = if through {
+            ray.dir
+        } else {
+            ray.mirrored(hit.normal)
+        };
+        self.follow_on(
+            list,
+            &Ray::leaving(&departure, dir),
+            random,
+            bounces - 1,
+            tally,
+        );
     }
 }
 
