@@ -57,19 +57,16 @@ fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
     for (what, make) in [
         (
             "mirrors of planes",
-            Room::of_planes as fn(&mut Random, f64) -> Room,
+            Room::scaled_planes as fn(&mut Random) -> Room,
         ),
-        ("mirrors of rectangles", Room::of_rectangles),
+        ("mirrors of rectangles", Room::scaled_rectangles),
     ] {
         let mut tally = Tally::default();
-        for scene in 0..cases().div_ceil(EACH) {
+        for scene in 0..cases().div_ceil(u64::from(BOUNCES)) {
             let mut random = Random::of(SEED, scene);
-            let scale = random.power(-200, 200);
-            let room = make(&mut random, scale);
+            let room = make(&mut random);
             let list = SurfaceList::new(&room.surfaces);
-            for _ in 0..EACH / u64::from(BOUNCES) {
-                room.follow(&list, &mut random, BOUNCES, &mut tally);
-            }
+            tally.observe_within(|tally| room.follow(&list, &mut random, BOUNCES, tally));
         }
         verdict(what, &tally);
     }

@@ -27,14 +27,14 @@ impl Room {
         let second = unit(first.any_orthogonal_vector()).unwrap_or(DVec3::Y);
         let across = [first, second, first.cross(second)];
         // Not quite a box, but far from flat.
-        let skew = if random.once_in(2) { 0.3 } else { 0.0 };
+        let skew = if random.once_in(2) { 0.1 } else { 0.0 };
         let normals = across.map(|normal| normal + random.cube() * skew);
         let center = if random.once_in(4) {
             DVec3::ZERO
         } else {
             random.cube() * random.power(-3, 8)
         };
-        let walls = normals.map(|normal| normal * (0.5 + random.share()));
+        let walls = normals.map(|normal| normal * (0.8 + 0.4 * random.share()));
         let mut surfaces = Vec::new();
         for (wall, normal) in walls.iter().zip(&normals) {
             for side in [-1.0, 1.0] {
@@ -43,7 +43,6 @@ impl Room {
                 surfaces.push(Box::new(made) as Boxed);
             }
         }
-        // Half of the way to where three planes meet is still inside.
         let room = Self {
             surfaces,
             transparent: Vec::new(),
@@ -53,9 +52,11 @@ impl Room {
         room.furnished(random)
     }
 
-    /// Of finite planes along the world's axes with decimals for corners, some cut into tiles.
+    /// Of finite planes along the world's axes with decimals for corners, or scaled whole numbers, some cut into tiles.
     pub(crate) fn of_rectangles(random: &mut Random, scale: f64) -> Self {
-        let tenths = |value: i32| f64::from(value) / 10.0;
+        // Multiplied, decimals no longer add up: the walls of such a room would not meet.
+        let divisor = if scale == 1.0 { 10.0 } else { 1.0 };
+        let length = |value: i32| f64::from(value) / divisor;
         let low = [0; 3].map(|_| random.between(-300, 300));
         let high = low.map(|low| low + random.between(3, 200));
         let mut surfaces: Vec<Boxed> = Vec::new();
@@ -66,12 +67,12 @@ impl Room {
                 for across in cuts[0].windows(2) {
                     for upward in cuts[1].windows(2) {
                         let mut corner = [0.0; 3];
-                        corner[axis] = tenths(at);
-                        corner[x] = tenths(across[0]);
-                        corner[y] = tenths(upward[0]);
+                        corner[axis] = length(at);
+                        corner[x] = length(across[0]);
+                        corner[y] = length(upward[0]);
                         // Seen from inside, x × y is along the axis or against it.
                         let [first, second] = if inward > 0.0 { [x, y] } else { [y, x] };
-                        let spans = [tenths(across[1] - across[0]), tenths(upward[1] - upward[0])];
+                        let spans = [length(across[1] - across[0]), length(upward[1] - upward[0])];
                         let size = if inward > 0.0 {
                             spans
                         } else {
@@ -91,7 +92,7 @@ impl Room {
             }
         }
         weld(&mut surfaces);
-        let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(tenths)) * scale);
+        let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(length)) * scale);
         let half = (high - low) / 2.0;
         let room = Self {
             surfaces,
@@ -100,6 +101,22 @@ impl Room {
             reach: [DVec3::X * half.x, DVec3::Y * half.y, DVec3::Z * half.z],
         };
         room.furnished(random)
+    }
+
+    /// A room of planes of any size that a scene may have.
+    pub(crate) fn scaled_planes(random: &mut Random) -> Self {
+        let scale = random.power(-200, 200);
+        Self::of_planes(random, scale)
+    }
+
+    /// A room of rectangles whose numbers have so few digits that their decimals add up.
+    pub(crate) fn scaled_rectangles(random: &mut Random) -> Self {
+        let scale = if random.once_in(2) {
+            1.0
+        } else {
+            random.power(-6, 40)
+        };
+        Self::of_rectangles(random, scale)
     }
 
     /// With a pane across, a ball, both or neither.
@@ -154,7 +171,7 @@ impl Room {
 
     /// Sends a ray from inside; it has to meet a wall.
     pub(crate) fn ask(&self, list: &SurfaceList, random: &mut Random, tally: &mut Tally) {
-        let from = self.place(random, 0.4);
+        let from = self.place(random, 0.3);
         let ray = Ray::new(Point::exact(from), self.direction(random, from));
         tally.cases += 1;
         if list.nearest(&ray, Span::AHEAD).is_some() {
@@ -173,7 +190,7 @@ impl Room {
         bounces: u32,
         tally: &mut Tally,
     ) {
-        let from = self.place(random, 0.4);
+        let from = self.place(random, 0.3);
         let ray = Ray::new(Point::exact(from), self.direction(random, from));
         self.follow_on(list, &ray, random, bounces, tally);
     }
