@@ -180,3 +180,42 @@ pub(crate) fn ray(
     }
     (Ray::new(origin, dir), true)
 }
+
+/// A sphere or an ellipsoid as far away as 10¹⁰ of its radii and with axes up to 10⁶ times as long
+/// as others, and a ray that nearly touches it, or is exactly so far beside that only rounding
+/// tells.
+pub(crate) fn far_and_round(random: &mut Random) -> (Boxed, Ray<'static>) {
+    let center = random.cube() * random.power(-10, 10);
+    let far = random.power(0, 33) * (1.0 + 0.16 * random.share());
+    let radius = random.power(-20, 20);
+    let factors = if random.once_in(2) {
+        DVec3::ONE
+    } else {
+        [0; 3]
+            .map(|_| random.power(-9, 9) * (1.0 + random.share()))
+            .into()
+    };
+    let made = Ellipsoid::new(common(), center, radius, factors, None).expect("axes above zero");
+    let surface: Boxed = if factors == DVec3::ONE {
+        Box::new(Sphere::new(common(), center, radius, None).expect("a radius"))
+    } else {
+        Box::new(made)
+    };
+    let axes = factors * radius;
+    let from = unit(random.cube()).unwrap_or(DVec3::X) * axes.max_element() * (1.0 + far);
+    let origin = if random.once_in(2) {
+        Point {
+            anchor: center,
+            offset: from,
+        }
+    } else {
+        Point::exact(center + from)
+    };
+    let touched = rim(random, center, axes, center + from);
+    let beside = axes * random.cube() * random.power(-54, 0);
+    let way = Vector::of(touched + beside)
+        .minus(&Vector::to(&origin))
+        .rounded();
+    let dir = random.nudged(unit(way).unwrap_or(DVec3::X), 3);
+    (surface, Ray::new(origin, dir))
+}
