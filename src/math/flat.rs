@@ -46,6 +46,9 @@ pub struct Crossing {
     pub rises: bool,
     /// How far at most the height is from the true one.
     pub doubt: f64,
+    /// How far the origin may be from where it ought to, if it is no further from the plane than
+    /// that: the ray crosses the plane at its very start, and there its line says little.
+    pub at_start: Option<f64>,
 }
 
 impl Flat {
@@ -159,8 +162,8 @@ impl Flat {
         let ray = &segment.ray;
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
-        let start = if height.abs() > self.doubt + ray.whole_doubt {
-            Sign::of(-height)
+        let (start, at_start) = if height.abs() > self.doubt + ray.whole_doubt {
+            (Sign::of(-height), None)
         } else {
             self.side_of_origin(ray)
         };
@@ -175,6 +178,7 @@ impl Flat {
             slope: self.normal.dot(ray.dir),
             rises,
             doubt: self.doubt + ray.doubt,
+            at_start,
         })
     }
 
@@ -192,6 +196,7 @@ impl Flat {
             slope,
             rises,
             doubt: self.doubt + ray.doubt,
+            at_start: None,
         };
         if height.abs() > self.doubt + ray.whole_doubt && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
@@ -205,25 +210,29 @@ impl Flat {
         let exact = ExactVector::from(ray.dir).dot(&self.normal.into());
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
-        let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
+        let (side, at_start) = self.side_of_origin(ray);
+        let ahead = -(side * sign) == Sign::Positive;
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
         ahead.then_some(Crossing {
             rises,
             slope: if rises { steepness } else { -steepness },
+            at_start,
             ..crossing
         })
     }
 
-    /// The side of the plane that a ray starts on.
+    /// The side of the plane that a ray starts on; and if it is not measured, how far the origin may
+    /// be from where it ought to.
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
     /// one on which that ray started, and so on from hit to hit. A ray that leaves this very plane
     /// is on the side to which it goes. So nothing leaks through the edges and corners of a room.
     #[cold]
-    fn side_of_origin(&self, ray: &Ray) -> Sign {
+    fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
+        let rounding = ray.rounding();
         let mut ray = *ray;
         let mut inherited = false;
         let side = loop {
@@ -241,10 +250,11 @@ impl Flat {
             }
             ray = departure.arriving;
         };
-        if inherited {
-            Decisions::note(true);
+        if !inherited {
+            return (side, None);
         }
-        side
+        Decisions::note(true);
+        (side, Some(rounding))
     }
 
     /// The distance at which a ray meets the plane, exactly.

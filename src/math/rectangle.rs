@@ -133,23 +133,23 @@ impl Rectangle {
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
+        let exactly = || inside_all(&self.borders, ray, self.flat.normal, crossing);
 
         let x = self.frame.y.dot(moment) * sign;
+        let y = -self.frame.x.dot(moment) * sign;
+        if crossing.at_start.is_some() {
+            return exactly().then(|| DVec2::new(x, y));
+        }
         let beyond_x = self.size.x * scale - x;
         if x < -doubt || beyond_x < -doubt {
             return None;
         }
-        let y = -self.frame.x.dot(moment) * sign;
         let beyond_y = self.size.y * scale - y;
         if y < -doubt || beyond_y < -doubt {
             return None;
         }
         let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
-        let inside = if certain {
-            true
-        } else {
-            inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
-        };
+        let inside = if certain { true } else { exactly() };
         inside.then(|| DVec2::new(x, y))
     }
 

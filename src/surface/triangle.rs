@@ -88,6 +88,10 @@ impl Triangle {
     /// the distance of the crossing from the edge times `n·d` and the edge's length.
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
+        let exactly = || inside_all(&self.borders, ray, self.flat.normal, crossing);
+        if crossing.at_start.is_some() {
+            return exactly();
+        }
         let mut certain = true;
         for (vertex, edge) in self.vertices.into_iter().zip(self.edges) {
             let (origin, size) = ray.origin.seen_from(vertex);
@@ -98,8 +102,7 @@ impl Triangle {
             }
             certain &= side > doubt;
         }
-        if certain {}
-        certain || inside_all(&self.borders, ray, self.flat.normal, crossing.rises)
+        certain || exactly()
     }
 }
 
