@@ -15,4 +15,5 @@ mod oracle {
 
     mod closed;
     mod equality;
+    mod values;
 }

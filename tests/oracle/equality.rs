@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::cases::far_and_round;
 use super::decisions::{self, Tallies};
 use super::random::Random;
 use super::tally::Tally;
@@ -9,7 +10,7 @@ use super::tally::Tally;
 /// How many cases of each kind.
 pub(super) fn cases() -> u64 {
     let asked = std::env::var("HELIODON_ORACLE_CASES").ok();
-    asked.map_or(30_000, |count| count.parse().expect("a number of cases"))
+    asked.map_or(20_000, |count| count.parse().expect("a number of cases"))
 }
 
 pub(super) const SEED: u64 = 0x48_65_6c_69;
@@ -67,4 +68,14 @@ fn orders_are_the_exact_ones() {
 #[test]
 fn occlusions_are_the_exact_ones() {
     run("occlusion", decisions::occlusion);
+}
+
+#[test]
+fn far_and_round_things_are_met_exactly_where_they_are() {
+    let mut tally = Tally::default();
+    for case in 0..cases() / 4 {
+        let (surface, ray) = far_and_round(&mut Random::of(SEED, case));
+        decisions::check_meeting(&*surface, &ray, &mut tally, &mut |_, _| ());
+    }
+    verdict("far and round", &tally);
 }

@@ -230,10 +230,10 @@ impl Floor {
         let height = (random.share() + 0.1) * if random.once_in(2) { lift } else { -lift };
         let flat = away - normal * (away.dot(normal) / normal.length_squared());
         let back = (flat + normal * height) * (100.0 * step * unit_length);
-        let way = if random.once_in(16) {
+        let way = if random.once_in(32) {
             -back
         } else {
-            let beside = 100.0 * step * unit_length * lift * random.power(-54, -12);
+            let beside = 100.0 * step * unit_length * lift * random.power(-51, -14);
             -back + random.cube() * beside
         };
         let dir = unit(way).unwrap_or(DVec3::Z);

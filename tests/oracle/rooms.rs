@@ -161,7 +161,7 @@ impl Room {
                 let end = if random.once_in(2) { 1.0 } else { -1.0 };
                 target += *reach * if axis == inner { random.signed() } else { end };
             }
-            let beside = target.length() * random.power(-54, -2);
+            let beside = target.length() * random.power(-51, -2);
             let aimed = self.center + target - from;
             // The largest rooms are too large for squares of squares.
             (aimed + random.cube() * beside) / target.length()
