@@ -15,11 +15,6 @@ use rayon::prelude::*;
 
 const CASES: u64 = 20_000;
 
-/// At most one in this many accepted scenes may overflow: mirrors that brighten what they show,
-/// and 1/d² next to a surface, leave the range of numbers even from numbers within it. The program
-/// lists such pixels and ends with 5.
-const RARE: usize = 1000;
-
 /// Far more than any case needs, on a machine that does much else.
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -333,7 +328,7 @@ fn no_broken_scene_panics_hangs_or_draws_what_is_no_number() {
     let again = "run one again with HELIODON_MUTATION=index";
     assert!(panicked.is_empty(), "panics in {panicked:?}; {again}");
     assert!(
-        odd.len() * RARE <= all.accepted,
+        odd.is_empty(),
         "{} pictures are not finite: {odd:?}; {again}",
         odd.len()
     );

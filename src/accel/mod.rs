@@ -9,7 +9,7 @@ pub use supports::supports;
 
 use std::cmp::Ordering;
 
-use crate::math::{Decisions, Ray, Span, Support};
+use crate::math::{Decisions, Flat, Ray, Span, Support};
 use crate::surface::{Hit, Surface};
 
 /// The surfaces of a scene in file order: every one is asked.
@@ -25,6 +25,8 @@ pub struct Entry<'a> {
     pub surface: &'a dyn Surface,
     /// The sheet that it lies on; `None` if rays may meet it again where they leave it.
     pub support: Option<Support>,
+    /// Its plane, if it is flat.
+    pub flat: Option<&'a Flat>,
     /// Its place in the list.
     pub index: usize,
 }
@@ -55,6 +57,7 @@ impl<'a> SurfaceList<'a> {
                 .map(|((index, surface), support)| Entry {
                     surface,
                     support,
+                    flat: surface.flat(),
                     index,
                 })
                 .collect(),
@@ -89,11 +92,17 @@ impl<'a> SurfaceList<'a> {
             span = span.until(hit.t + hit.error);
             best = Some((entry, hit));
         }
-        best
+        best.map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
     }
 }
 
-impl Entry<'_> {
+impl<'a> Entry<'a> {
+    /// What rays that leave the surface know of it.
+    #[must_use]
+    pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {
+        (self.support, self.flat)
+    }
+
     /// Whether the surface lies on a sheet, if it is known to lie on one.
     fn lies_on(&self, sheet: Option<Support>) -> bool {
         sheet.is_some() && self.support == sheet

@@ -26,7 +26,7 @@ impl Body {
         };
         Self {
             support: entry.support,
-            flat: surface.flat(),
+            flat: surface.flat().copied(),
             outline: surface.outline(),
             hull: surface
                 .hull()

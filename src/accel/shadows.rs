@@ -123,6 +123,7 @@ impl<'a> LightView<'a> {
             }
             crossed.extend(entry.support);
             if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
+                let hit = entry.surface.settle(hit, &segment.ray);
                 passed = passed * entry.surface.transmits(&hit);
             }
         }

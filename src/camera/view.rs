@@ -172,6 +172,14 @@ impl View {
         view.camera(1, 1).map(|_| view)
     }
 
+    /// Where the eye is.
+    #[must_use]
+    pub fn viewpoint(&self) -> DVec3 {
+        match self {
+            Self::Screen { viewpoint, .. } | Self::LookAt { viewpoint, .. } => *viewpoint,
+        }
+    }
+
     /// The camera for a picture of this size.
     ///
     /// # Errors

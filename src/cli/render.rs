@@ -158,13 +158,14 @@ fn picture<'a>(
     let bar = progress::bar(&title, u64::from(read.picture.height), messages);
     let rendered = pool.install(|| render(&read, &|rows| bar.set_position(rows as u64)));
     bar.finish_and_clear();
-    let (film, counts) = rendered.map_err(|refusal| {
+    let (mut film, counts) = rendered.map_err(|refusal| {
         Failure::new(
             Status::BadInput,
             format!("{title}: {}", refusal.reason),
             messages,
         )
     })?;
+    inject_fault(&mut film);
     let hash = read.hash();
     write(&film, &read, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
@@ -265,6 +266,15 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
                 written => written,
             }
         }
+    }
+}
+
+/// Spoils a pixel if the environment asks for it, so that a test can see what the program does
+/// about a fault that it ought not to have.
+fn inject_fault(film: &mut Film) {
+    let asked = std::env::var_os("HELIODON_FAULT").is_some_and(|fault| fault == "non-finite");
+    if let (true, Some(pixel)) = (asked, film.pixels_mut().first_mut()) {
+        pixel.r = f64::NAN;
     }
 }
 

@@ -14,7 +14,8 @@ pub(super) fn write(film: &Film, out: &mut dyn Write) -> io::Result<()> {
         reason = "the format holds 32-bit floats"
     )]
     let bytes: Vec<u8> = channels
-        .flat_map(|channel| (channel as f32).to_le_bytes())
+        // Brighter than this format can say is as bright as it can say.
+        .flat_map(|channel| (channel as f32).clamp(f32::MIN, f32::MAX).to_le_bytes())
         .collect();
     out.write_all(&bytes)
 }

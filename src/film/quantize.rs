@@ -12,6 +12,8 @@ pub enum Rounding {
 
 impl Rounding {
     /// The code value from 0 to `largest` for an intensity; clamped, and 0 for not-a-number.
+    ///
+    /// `largest` is one less than a power of two: all bits of the format set.
     #[must_use]
     pub fn code(self, intensity: f64, largest: u16) -> u16 {
         let scaled = intensity * f64::from(largest);
@@ -23,9 +25,27 @@ impl Rounding {
             clippy::cast_possible_truncation,
             reason = "casts from float saturate; NaN is 0"
         )]
-        let code = raised as u16;
-        code.min(largest)
+        let code = (raised as u16).min(largest);
+        match self {
+            // The product was rounded, so exactly the intensity may be on the code's other side.
+            Self::Nearest if code > 0 && !reaches(intensity, code, largest) => code - 1,
+            Self::Nearest
+                if intensity > 0.0 && code < largest && reaches(intensity, code + 1, largest) =>
+            {
+                code + 1
+            }
+            _ => code,
+        }
     }
+}
+
+/// Whether an intensity is at least half a code below a code above zero, exactly.
+///
+/// That is `2 l i ≥ 2 c − 1`, or `(2 l + 2) i − (2 c − 1) ≥ 2 i`. As `2 l + 2` is a power of two, both
+/// products are exact, and so is the difference wherever the sides are close (Sterbenz 1974).
+fn reaches(intensity: f64, code: u16, largest: u16) -> bool {
+    let (code, largest) = (f64::from(code), f64::from(largest));
+    intensity * (2.0 * largest + 2.0) - (2.0 * code - 1.0) >= 2.0 * intensity
 }
 
 #[cfg(test)]

@@ -16,11 +16,13 @@ pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 /// exactly. It stands for no length: it is the smallest double of full precision.
 pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
-/// `D = n·d`: a product and two sums, `γ(3) Σ|nᵢdᵢ|`, and the sum is at most `(1 + 4u)²`.
-pub(crate) const SLOPE: f64 = 4.0 * UNIT;
+/// `D = n·d`: a product and two sums, `γ(3) Σ|nᵢdᵢ|`, and the sum is at most `(1 + 4u)²`; and `2 u Σ|dᵢ|`
+/// because the normal that decides may be that of a neighbour in the same plane.
+pub(crate) const SLOPE: f64 = 8.0 * UNIT;
 
-/// `N = −n·c`, in units of `size`: two roundings in `c`, a product and two sums.
-pub(crate) const HEIGHT: f64 = 6.0 * UNIT;
+/// `N = −n·c`, in units of `size`: two roundings in `c`, a product and two sums; and two for the
+/// normal of a neighbour.
+pub(crate) const HEIGHT: f64 = 8.0 * UNIT;
 
 /// `v·(d × c)`, in units of `size`: two roundings in `c`, a product and a difference in the cross
 /// product, a product and two sums: `γ(7) A`, and `A = Σ|vᵢ|(|dⱼcₖ| + |dₖcⱼ|)` is at most

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
+use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW, UNIT};
 use super::exact::{Distance, ExactVector, RationalVector, Sign};
 use super::{Decisions, Point, Ray, Segment, Span};
 use crate::language::Refusal;
@@ -14,7 +14,10 @@ pub struct Flat {
     pub point: DVec3,
     /// The unit normal, on the plane's front side.
     pub normal: DVec3,
-    /// The point from which heights are *decided*: that of the first surface in this plane.
+    /// The normal by which heights are *decided*: the same for all surfaces in this plane, but
+    /// for its sign, and no further from `normal` than rounding.
+    decisive: DVec3,
+    /// The point from which heights are *decided*: the same for all surfaces in this plane.
     base: DVec3,
     /// How far at most `point` lies from the plane through `base`, and what underflow can add.
     slack: f64,
@@ -77,6 +80,7 @@ impl Flat {
         Self {
             point,
             normal,
+            decisive: normal,
             base: point,
             slack: UNDERFLOW,
             doubt: HEIGHT * Point::exact(point).size() + UNDERFLOW,
@@ -86,13 +90,17 @@ impl Flat {
     /// The same plane through the same point, but decided as that of another surface.
     #[must_use]
     pub fn welded(&self, to: &Self) -> Self {
-        let turned = self.normal.dot(to.normal) < 0.0;
-        let normal = if turned { -to.normal } else { to.normal };
+        let turned = self.normal.dot(to.decisive) < 0.0;
+        let decisive = if turned { -to.decisive } else { to.decisive };
+        // Within one rounding of each component, the surface keeps its own.
+        let same = (self.normal - decisive).abs().max_element() <= 2.0 * UNIT;
+        let normal = if same { self.normal } else { decisive };
         let way = Point::exact(self.point).exactly_from(to.base);
         // The exact height was rounded once.
-        let apart = way.dot(&ExactVector::from(normal)).to_f64().abs().next_up();
+        let apart = way.dot(&decisive.into()).to_f64().abs().next_up();
         let unwelded = Self::with_unit_normal(self.point, normal);
         Self {
+            decisive,
             base: to.base,
             slack: unwelded.slack + apart,
             doubt: unwelded.doubt + apart,
@@ -100,13 +108,49 @@ impl Flat {
         }
     }
 
+    /// A plane whose point is so far from an eye that the rounding of the normal alone would move
+    /// it before the eye's very feet is taken through the foot of the eye's perpendicular instead.
+    ///
+    /// # Errors
+    /// Refuses a zero normal.
+    pub fn near(eye: DVec3, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+        // Half of a double's digits.
+        const FAR: f64 = 67_108_864.0; // 2^26
+        let plane = Self::new(point, normal)?;
+        if (point - eye).length() <= FAR * plane.normal.dot(point - eye).abs() {
+            return Ok(plane);
+        }
+        let given = RationalVector::of_decimals(normal);
+        let way = &RationalVector::of_decimals(point) - &RationalVector::of_decimals(eye);
+        let share = given.dot(&way) / given.dot(&given);
+        let foot = &RationalVector::of_decimals(eye) + &given.times(&share);
+        let base = foot.rounded();
+        let is_far = (point - eye).length() > FAR * (base - eye).length();
+        Ok(if is_far {
+            Self::with_unit_normal(base, plane.normal)
+        } else {
+            plane
+        })
+    }
+
+    /// The normal by which heights are decided.
+    #[must_use]
+    pub fn decisive_normal(&self) -> DVec3 {
+        self.decisive
+    }
+
     /// The numbers that decide: the same for every surface in this plane, on either side of it.
     #[must_use]
     pub fn decisive(&self) -> [DVec3; 2] {
-        let [x, y, z] = self.normal.to_array();
+        let [x, y, z] = self.decisive.to_array();
         let turned = x < 0.0 || x == 0.0 && (y < 0.0 || y == 0.0 && z < 0.0);
         // Adding zero turns −0 into +0, which is the same plane.
-        let normal = if turned { -self.normal } else { self.normal } + DVec3::ZERO;
+        let normal = if turned {
+            -self.decisive
+        } else {
+            self.decisive
+        };
+        let normal = normal + DVec3::ZERO;
         [self.base + DVec3::ZERO, normal]
     }
 
@@ -130,13 +174,17 @@ impl Flat {
         if height.abs() > 2.0 * HEIGHT * point.size() + self.doubt {
             return Side::of(Sign::of(height));
         }
-        Side::of((exact - &self.base.into()).dot(&self.normal.into()).sign())
+        Side::of(
+            (exact - &self.base.into())
+                .dot(&self.decisive.into())
+                .sign(),
+        )
     }
 
     /// Whether another plane has this normal or the opposite one.
     #[must_use]
     pub fn is_parallel(&self, other: &Self) -> bool {
-        self.normal == other.normal || self.normal == -other.normal
+        self.decisive == other.decisive || self.decisive == -other.decisive
     }
 
     /// Whether this plane lies on this side of a parallel one.
@@ -147,7 +195,7 @@ impl Flat {
 
     /// The sign of the height of a point above the plane, exactly.
     fn exact_side(&self, point: &Point) -> Sign {
-        let height = point.exactly_from(self.base).dot(&self.normal.into());
+        let height = point.exactly_from(self.base).dot(&self.decisive.into());
         Decisions::note(height.sign() == Sign::Zero);
         height.sign()
     }
@@ -162,7 +210,7 @@ impl Flat {
         let ray = &segment.ray;
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
-        let (start, at_start) = if height.abs() > self.doubt + ray.whole_doubt {
+        let (start, at_start) = if height.abs() > self.doubt + ray.doubt + ray.astray {
             (Sign::of(-height), None)
         } else {
             self.side_of_origin(ray)
@@ -198,7 +246,7 @@ impl Flat {
             doubt: self.doubt + ray.doubt,
             at_start: None,
         };
-        if height.abs() > self.doubt + ray.whole_doubt && slope.abs() > SLOPE {
+        if height.abs() > crossing.doubt + ray.astray && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
@@ -207,7 +255,7 @@ impl Flat {
     /// Whether the crossing lies ahead, where rounded values leave doubt.
     #[cold]
     fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
-        let exact = ExactVector::from(ray.dir).dot(&self.normal.into());
+        let exact = ExactVector::from(ray.dir).dot(&self.decisive.into());
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
         let (side, at_start) = self.side_of_origin(ray);
@@ -228,8 +276,9 @@ impl Flat {
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
-    /// one on which that ray started, and so on from hit to hit. A ray that leaves this very plane
-    /// is on the side to which it goes. So nothing leaks through the edges and corners of a room.
+    /// one on which that ray started, which may in its turn have left a surface close to this
+    /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
+    /// through the edges and corners of a room.
     #[cold]
     fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
         let rounding = ray.rounding();
@@ -239,16 +288,17 @@ impl Flat {
             let Some(departure) = ray.departure else {
                 break self.exact_side(&ray.origin);
             };
+            if departure.is_in(self) {
+                inherited = true;
+                break ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+            }
             let (way, size) = ray.origin.seen_from(self.point);
             let height = self.normal.dot(way);
             if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
                 break Sign::of(height);
             }
             inherited = true;
-            if departure.is_in(self) {
-                break ExactVector::from(ray.dir).dot(&self.normal.into()).sign();
-            }
-            ray = departure.arriving;
+            ray = *departure.arriving;
         };
         if !inherited {
             return (side, None);
@@ -260,7 +310,7 @@ impl Flat {
     /// The distance at which a ray meets the plane, exactly.
     #[must_use]
     pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        let normal = ExactVector::from(self.normal);
+        let normal = ExactVector::from(self.decisive);
         let slope = normal.dot(&ray.dir.into());
         let height = -&ray.origin.exactly_from(self.base).dot(&normal);
         (slope.sign() != Sign::Zero).then(|| Distance::quotient(height, slope))

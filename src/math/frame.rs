@@ -1,9 +1,10 @@
 //! Right-angled axes in a plane.
 
+use dashu_ratio::RBig;
 use glam::DVec3;
 
-use super::exact::RationalVector;
-use super::unit;
+use super::exact::{ExactVector, RationalVector};
+use super::{Flat, Ray, unit};
 use crate::language::Refusal;
 
 /// The axes of a plane: `x` grows to the right, `y` upward, the normal towards the viewer.
@@ -35,7 +36,7 @@ impl Frame {
             return Err(refusal("xdir is parallel to the normal"));
         }
         // |n × x|² < 2⁻⁴⁰ |n|² |x|²
-        let across = exact.y.dot(&exact.y) * dashu_ratio::RBig::from(1u64 << 40);
+        let across = exact.y.dot(&exact.y) * RBig::from(1u64 << 40);
         let lengths = exact.normal.dot(&exact.normal) * exact.xdir.dot(&exact.xdir);
         if across < lengths {
             return Err(refusal("xdir is nearly parallel to the normal"));
@@ -61,6 +62,24 @@ impl Frame {
             x: y.cross(normal),
             y,
         }
+    }
+}
+
+impl Frame {
+    /// Where a ray meets a plane, as the exact offset from the plane's point along both axes;
+    /// `None` if it runs along the plane.
+    ///
+    /// With `m = d × c` it is `(y·m, −x·m)` divided by `n·d`, as in [`Rectangle`](super::Rectangle).
+    #[must_use]
+    pub fn exact_offset(&self, flat: &Flat, ray: &Ray) -> Option<[RBig; 2]> {
+        let dir = ExactVector::from(ray.dir);
+        let slope = dir.dot(&flat.normal.into()).to_rational();
+        if slope.is_zero() {
+            return None;
+        }
+        let moment = dir.cross(&ray.origin.exactly_from(flat.point));
+        let along = |axis: DVec3| moment.dot(&axis.into()).to_rational() / &slope;
+        Some([along(self.y), along(-self.x)])
     }
 }
 

@@ -78,11 +78,11 @@ pub struct Ray<'a> {
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
     pub departure: Option<&'a Departure<'a>>,
-    /// The ray's share in what the computed height of its origin above a plane can be off by.
+    /// The ray's share in what a height above a plane can be off by when the way to the plane's
+    /// point is computed.
     pub(crate) doubt: f64,
-    /// The same, and how far the origin is from where it ought to be: within this of a plane, the
-    /// origin's side does not count.
-    pub(crate) whole_doubt: f64,
+    /// A bound of how far its origin lies from where it ought to.
+    pub(crate) astray: f64,
 }
 
 /// A hit from which other rays start.
@@ -91,44 +91,46 @@ pub struct Departure<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
     pub support: Option<Support>,
+    /// The surface's plane, if it is flat.
+    pub flat: Option<&'a Flat>,
     /// The hit.
     pub point: Point,
-    /// The ray that arrived.
-    pub arriving: Ray<'a>,
-    /// The numbers that decide for the plane of the surface, if it is flat.
-    plane: Option<[DVec3; 2]>,
+    /// The ray that arrived there.
+    pub arriving: &'a Ray<'a>,
     /// How far at most the point lies from where it ought to.
     rounding: f64,
+    doubt: f64,
+    astray: f64,
 }
 
 impl<'a> Departure<'a> {
     /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
-    pub fn new(support: Option<Support>, arriving: &Ray<'a>, point: Point, error: f64) -> Self {
+    pub fn new(
+        (support, flat): (Option<Support>, Option<&'a Flat>),
+        arriving: &'a Ray<'a>,
+        point: Point,
+        error: f64,
+    ) -> Self {
+        let size = point.size();
         let (_, before) = arriving.origin.seen_from(point.anchor);
-        let size = before + point.offset.abs().element_sum();
+        let length = before + point.offset.abs().element_sum();
         Self {
             support,
+            flat,
             point,
-            arriving: *arriving,
-            plane: None,
-            rounding: arriving.rounding() + FOOT * size + 2.0 * error,
-        }
-    }
-
-    /// The same on a surface in this plane, if it is in one.
-    #[must_use]
-    pub fn in_plane(self, flat: Option<Flat>) -> Self {
-        Self {
-            plane: flat.map(|flat| flat.decisive()),
-            ..self
+            arriving,
+            rounding: arriving.rounding() + FOOT * length + 2.0 * error,
+            doubt: HEIGHT * size,
+            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
         }
     }
 
     /// Whether the surface is known to lie in this plane.
     #[must_use]
     pub fn is_in(&self, flat: &Flat) -> bool {
-        self.plane == Some(flat.decisive())
+        self.flat
+            .is_some_and(|own| own.decisive() == flat.decisive())
     }
 
     /// How far at most the point lies from where it ought to: beyond a plane that was not crossed.
@@ -147,13 +149,12 @@ impl<'a> Ray<'a> {
     #[must_use]
     pub fn new(origin: Point, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
-        let doubt = HEIGHT * origin.size();
         Self {
             origin,
             dir,
             departure: None,
-            doubt,
-            whole_doubt: doubt,
+            doubt: HEIGHT * origin.size(),
+            astray: 0.0,
         }
     }
 
@@ -161,13 +162,12 @@ impl<'a> Ray<'a> {
     #[must_use]
     pub fn leaving(departure: &'a Departure<'a>, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
-        let doubt = HEIGHT * departure.point.size();
         Self {
             origin: departure.point,
             dir,
             departure: Some(departure),
-            doubt,
-            whole_doubt: doubt + departure.rounding,
+            doubt: departure.doubt,
+            astray: departure.astray,
         }
     }
 

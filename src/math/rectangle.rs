@@ -133,7 +133,7 @@ impl Rectangle {
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
-        let exactly = || inside_all(&self.borders, ray, self.flat.normal, crossing);
+        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
 
         let x = self.frame.y.dot(moment) * sign;
         let y = -self.frame.x.dot(moment) * sign;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Crossing, Departure, Ray, Span, direction};
+use super::{Crossing, Departure, Point, Ray, Span, direction};
 
 /// The straight way from a point on a surface to a scene point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -21,14 +21,20 @@ impl<'a> Segment<'a> {
     /// The segment from a hit to a scene point; `None` if they coincide.
     #[must_use]
     pub fn new(departure: &'a Departure<'a>, end: DVec3) -> Option<Self> {
-        let way = -departure.point.from(end);
+        Self::along(departure.point, end, |dir| Ray::leaving(departure, dir))
+    }
+
+    /// The segment from a point in free space to a scene point; `None` if they coincide.
+    #[must_use]
+    pub fn free(start: Point, end: DVec3) -> Option<Self> {
+        Self::along(start, end, |dir| Ray::new(start, dir))
+    }
+
+    fn along(start: Point, end: DVec3, ray: impl FnOnce(DVec3) -> Ray<'a>) -> Option<Self> {
+        let way = -start.from(end);
         let length = way.length();
-        if !(length > 0.0 && length.is_finite()) {
-            return None;
-        }
-        let ray = Ray::leaving(departure, direction(way));
-        Some(Self {
-            ray,
+        (length > 0.0 && length.is_finite()).then(|| Self {
+            ray: ray(direction(way)),
             end,
             length,
             span: Span::AHEAD,

@@ -24,6 +24,8 @@ pub(super) struct Parts {
     pub(super) materials: Names<Material>,
     /// The world size of a pixel of the chapter's screen, if the camera has one.
     pub(super) pixel_size: Option<glam::DVec2>,
+    /// Where the camera is.
+    pub(super) eye: glam::DVec3,
 }
 
 /// Builds a scene from its nodes.
@@ -82,6 +84,7 @@ pub(super) fn scene(
         textures: Names::new(Reference::Texture.word()),
         materials: Names::new(Reference::Material.word()),
         pixel_size: None,
+        eye: view.as_ref().map_or(glam::DVec3::ZERO, View::viewpoint),
     };
     if let (Some(view), Some(picture)) = (&view, picture) {
         parts.pixel_size = view.pixel_size(picture.width, picture.height);

@@ -37,7 +37,10 @@ pub(super) fn surface(
     let (point, normal) = (|| node.triple("point"), || node.triple("normal"));
 
     let made: Result<Box<dyn Surface>, Refusal> = match node.schema.word {
-        "plane" => boxed(Plane::new(common(material?), point(), normal())),
+        "plane" => {
+            let plane = Plane::new(common(material?), point(), normal());
+            boxed(plane.and_then(|plane| plane.near(parts.eye)))
+        }
         "finite-plane" => boxed(finite_plane(node, common(material?))),
         "tiled-plane" => {
             let alternate = parts.materials.find(node, "alternate");

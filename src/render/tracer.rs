@@ -80,8 +80,7 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         };
         let surface = entry.surface;
-        let departure =
-            Departure::new(entry.support, ray, hit.point, hit.error).in_plane(surface.flat());
+        let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
         let local = self.local_color(ray, entry, &departure, &hit, probe);
         let divisor = self.scene.lighting.view_falloff.divisor(travelled);
@@ -126,7 +125,7 @@ impl<'a> Tracer<'a> {
         &self,
         ray: &Ray,
         entry: &Entry<'_>,
-        departure: &Departure,
+        departure: &Departure<'_>,
         hit: &Hit,
         probe: &mut impl Probe,
     ) -> Rgb {

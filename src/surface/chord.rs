@@ -87,11 +87,11 @@ impl Chord {
     /// The distance at which the line enters the ball, and how far at most it is from the exact
     /// one; `None` if the line passes by or only touches, or starts inside or leads away.
     ///
-    /// `doubt` bounds how far the ray's origin can be from where it ought to be.
+    /// `astray` bounds how far the ray's origin can be from where it ought to be.
     #[inline(always)]
     pub(super) fn entry(
         &self,
-        doubt: f64,
+        astray: f64,
         equation: impl FnOnce() -> Quadratic,
     ) -> Option<(f64, f64)> {
         if self.half_squared < -self.half_squared_doubt {
@@ -101,10 +101,10 @@ impl Chord {
             let speed = self.speed_squared.sqrt();
             let half = self.half_squared.sqrt();
             let (t, error) = (self.ahead - half / speed, self.error(half, speed));
-            if t > error + doubt / speed {
+            if t > error + astray / speed {
                 return Some((t, error));
             }
-            if t < -error - doubt / speed {
+            if t < -error - astray / speed {
                 return None;
             }
         }

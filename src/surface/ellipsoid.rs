@@ -117,7 +117,7 @@ impl Ellipsoid {
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = self.shrunk(ray.origin.from(self.center));
         let dir = self.shrunk(ray.dir);
-        let (size, doubt) = (ray.size() + self.size, ray.whole_doubt * self.most_shrink);
+        let (size, astray) = (ray.size() + self.size, ray.astray * self.most_shrink);
         let chord = Chord::new(
             origin,
             size * self.most_shrink,
@@ -125,7 +125,7 @@ impl Ellipsoid {
             dir.length_squared(),
             1.0,
         )?;
-        chord.entry(doubt, || self.equation(ray))
+        chord.entry(astray, || self.equation(ray))
     }
 
     /// The equation of the distances at which a ray meets the ellipsoid, multiplied by all three

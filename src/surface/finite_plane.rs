@@ -127,8 +127,8 @@ impl Surface for FinitePlane {
         self.describe_into(Node::new(&Self::SCHEMA, None))
     }
 
-    fn flat(&self) -> Option<Flat> {
-        Some(self.rectangle.flat)
+    fn flat(&self) -> Option<&Flat> {
+        Some(&self.rectangle.flat)
     }
 
     fn outline(&self) -> Vec<DVec3> {

@@ -62,7 +62,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
     fn describe(&self) -> Node;
 
     /// The unbounded plane that the surface lies in, if it is flat.
-    fn flat(&self) -> Option<Flat> {
+    fn flat(&self) -> Option<&Flat> {
         None
     }
 
@@ -125,6 +125,12 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// Takes over the plane and the border lines that a flat surface shares with others.
     fn weld(&mut self, _plane: &Flat, _borders: &[Option<Line>]) {}
+
+    /// The hit of a ray that is seen, moved by a rounding at most so that it lies on the texel or
+    /// tile that the ray meets exactly.
+    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
+        hit
+    }
 
     /// The colour of the surface's texture at a hit; white without one.
     fn texel(&self, _hit: &Hit) -> Rgb {

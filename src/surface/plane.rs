@@ -22,6 +22,7 @@ use crate::math::{Blueprint, Flat, Line, Ray, Segment, Side, Span};
 pub struct Plane {
     common: Common,
     flat: Flat,
+    given_point: DVec3,
     given_normal: DVec3,
 }
 
@@ -54,8 +55,20 @@ impl Plane {
         Ok(Self {
             common,
             flat: Flat::new(point, normal)?,
+            given_point: point,
             given_normal: normal,
         })
+    }
+
+    /// The same plane for an eye that may be very far from its point; see [`Flat::near`].
+    ///
+    /// Its hits are then no longer offsets from the point.
+    ///
+    /// # Errors
+    /// None that [`new`](Self::new) has not.
+    pub fn near(self, eye: DVec3) -> Result<Self, Refusal> {
+        let flat = Flat::near(eye, self.given_point, self.given_normal)?;
+        Ok(Self { flat, ..self })
     }
 
     /// The normal as the scene gives it.
@@ -66,7 +79,7 @@ impl Plane {
 
     /// Adds the plane's attributes to a node.
     pub(super) fn describe_into(&self, node: Node) -> Node {
-        node.with("point", self.flat.point)
+        node.with("point", self.given_point)
             .with("normal", self.given_normal)
     }
 }
@@ -99,12 +112,12 @@ impl Surface for Plane {
         self.describe_into(Node::new(&Self::SCHEMA, None))
     }
 
-    fn flat(&self) -> Option<Flat> {
-        Some(self.flat)
+    fn flat(&self) -> Option<&Flat> {
+        Some(&self.flat)
     }
 
     fn blueprint(&self) -> Option<Blueprint> {
-        Some(Blueprint::plane(self.flat.point, self.given_normal))
+        Some(Blueprint::plane(self.given_point, self.given_normal))
     }
 
     fn weld(&mut self, plane: &Flat, _borders: &[Option<Line>]) {

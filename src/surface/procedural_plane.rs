@@ -117,7 +117,7 @@ impl Surface for ProceduralPlane {
             .with("shader", self.shader.word())
     }
 
-    fn flat(&self) -> Option<Flat> {
+    fn flat(&self) -> Option<&Flat> {
         self.plane.flat()
     }
 

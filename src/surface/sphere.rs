@@ -101,7 +101,7 @@ impl Sphere {
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = ray.origin.from(self.center);
         let chord = Chord::new(origin, ray.size() + self.size, ray.dir, 1.0, self.radius)?;
-        chord.entry(ray.whole_doubt, || self.equation(ray))
+        chord.entry(ray.astray, || self.equation(ray))
     }
 }
 

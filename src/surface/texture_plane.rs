@@ -18,7 +18,7 @@ use glam::DVec3;
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
@@ -118,7 +118,7 @@ impl Surface for TexturePlane {
         Self::describe_image(node, &self.image, self.texel_given)
     }
 
-    fn flat(&self) -> Option<Flat> {
+    fn flat(&self) -> Option<&Flat> {
         self.plane.flat()
     }
 
@@ -148,6 +148,14 @@ impl Surface for TexturePlane {
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.plane.occludes(segment, end)
+    }
+
+    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+        let Rectangle { flat, frame, .. } = self.plane.rectangle();
+        let exact = || frame.exact_offset(flat, ray);
+        // The offset has the same roundings as the distance, and half as many again.
+        let uv = self.image.settled(hit.uv, 3.0 * hit.error, exact);
+        Hit { uv, ..hit }
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

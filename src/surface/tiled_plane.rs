@@ -15,13 +15,15 @@
 
 use std::sync::Arc;
 
+use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
 use crate::material::Material;
-use crate::math::exact::Distance;
-use crate::math::{Blueprint, Flat, Frame, Line, Ray, Rgb, Segment, Side, Span};
+use crate::math::band::FOOT;
+use crate::math::exact::{Distance, decimal};
+use crate::math::{Blueprint, Flat, Frame, Grid, Line, Point, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane of tiles in two materials, in a checkerboard.
 ///
@@ -32,6 +34,8 @@ pub struct TiledPlane {
     frame: Frame,
     given_xdir: DVec3,
     tile: DVec2,
+    /// The borders of the tiles along x and y.
+    grids: [Grid; 2],
     start: TileStart,
     alternate: Arc<Material>,
 }
@@ -125,27 +129,36 @@ impl TiledPlane {
             frame,
             given_xdir: xdir,
             tile,
+            grids: tile.to_array().map(|pitch| Grid::new(&decimal(pitch))),
             start,
             alternate,
         })
     }
 
-    fn material_at(&self, hit: &Hit) -> &Material {
-        let (place, main_parity) = match self.start {
-            TileStart::Point => (hit.uv / self.tile, 0.0),
+    /// The colour of one of the two materials, whichever lies at a hit; beyond 2⁵³ tiles no double
+    /// says which, and their mean is seen.
+    fn color_at(&self, hit: &Hit, color: impl Fn(&Material) -> Rgb) -> Rgb {
+        let (tile, main_parity) = match self.start {
+            TileStart::Point => {
+                let [x, y] = &self.grids;
+                (DVec2::new(x.cell(hit.uv.x), y.cell(hit.uv.y)), 0.0)
+            }
             TileStart::Course => {
+                const BIG: f64 = 100_000.0;
                 let world = hit.point.world();
                 let along = DVec2::new(self.frame.x.dot(world), self.frame.y.dot(world));
-                ((along + DVec2::splat(TileStart::BIG)) / self.tile, 1.0)
+                (((along + DVec2::splat(BIG)) / self.tile).floor(), 1.0)
             }
         };
-        let tile = place.floor();
-        // Each remainder is exact, so their sum is too, however far away the tile is.
+        let (main, alternate) = (color(&self.plane.common().material), color(&self.alternate));
+        if tile.abs().max_element() >= Grid::MOST_CELLS {
+            return (main + alternate) / 2.0;
+        }
         let parity = (tile.x.rem_euclid(2.0) + tile.y.rem_euclid(2.0)).rem_euclid(2.0);
         if parity == main_parity {
-            &self.plane.common().material
+            main
         } else {
-            &self.alternate
+            alternate
         }
     }
 }
@@ -181,7 +194,7 @@ impl Surface for TiledPlane {
             .with("start", self.start.word())
     }
 
-    fn flat(&self) -> Option<Flat> {
+    fn flat(&self) -> Option<&Flat> {
         self.plane.flat()
     }
 
@@ -201,11 +214,32 @@ impl Surface for TiledPlane {
         self.plane.occludes(segment, end)
     }
 
+    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+        if self.start == TileStart::Course {
+            return hit;
+        }
+        let Some(flat) = self.plane.flat() else {
+            return hit;
+        };
+        let [x, y] = &self.grids;
+        let exact = |axis: usize| {
+            let offset = self.frame.exact_offset(flat, ray);
+            offset.map_or(RBig::ZERO, |offset| offset[axis].clone())
+        };
+        let reach = ray.size() + Point::exact(flat.point).size() + hit.t;
+        let doubt = 3.0 * hit.error + FOOT * reach;
+        let uv = DVec2::new(
+            x.settled(hit.uv.x, doubt, || exact(0)),
+            y.settled(hit.uv.y, doubt, || exact(1)),
+        );
+        Hit { uv, ..hit }
+    }
+
     fn getamb(&self, hit: &Hit) -> Rgb {
-        self.material_at(hit).ambient
+        self.color_at(hit, |material| material.ambient)
     }
 
     fn getdiff(&self, hit: &Hit) -> Rgb {
-        self.material_at(hit).diffuse
+        self.color_at(hit, |material| material.diffuse)
     }
 }

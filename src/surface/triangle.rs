@@ -88,7 +88,7 @@ impl Triangle {
     /// the distance of the crossing from the edge times `n·d` and the edge's length.
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
-        let exactly = || inside_all(&self.borders, ray, self.flat.normal, crossing);
+        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
         if crossing.at_start.is_some() {
             return exactly();
         }
@@ -146,8 +146,8 @@ impl Surface for Triangle {
             .with("vertex3", c)
     }
 
-    fn flat(&self) -> Option<Flat> {
-        Some(self.flat)
+    fn flat(&self) -> Option<&Flat> {
+        Some(&self.flat)
     }
 
     fn outline(&self) -> Vec<DVec3> {

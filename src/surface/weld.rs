@@ -1,8 +1,10 @@
 //! Planes and borders that surfaces share, found when a scene is loaded.
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 use dashu_ratio::RBig;
+use glam::DVec3;
 
 use super::Surface;
 use crate::math::exact::{RationalVector, decimal};
@@ -22,7 +24,7 @@ const ULPS: u8 = 8;
 pub struct Weld {
     /// What is shared.
     pub what: Welded,
-    /// The surfaces by their places in the file; the first one's numbers decide.
+    /// The surfaces by their places in the file.
     pub surfaces: Vec<usize>,
     /// How far apart they were at most in the file, in world units; 0 if its decimals agree.
     pub distance: f64,
@@ -61,8 +63,10 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
     let blueprints: Vec<_> = surfaces.iter().map(|surface| surface.blueprint()).collect();
     let mut welds = Vec::new();
     for plane in planes(&blueprints) {
-        let first = plane[0].surface;
-        let Some(flat) = surfaces[first].flat() else {
+        let flats = plane
+            .iter()
+            .filter_map(|one| surfaces[one.surface].flat().copied());
+        let Some(flat) = flats.min_by(|a, b| order(&a.decisive(), &b.decisive())) else {
             continue;
         };
         if plane.len() > 1 {
@@ -75,8 +79,15 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
                 continue;
             }
             welds.push(Weld::of(Welded::Line, &line));
-            let first = &line[0];
-            let decisive = surfaces[first.surface].borders()[first.border];
+            let own = |member: &&Member| surfaces[member.surface].borders()[member.border];
+            let by_numbers = |a: &&Member, b: &&Member| {
+                let (a, b) = (own(a), own(b));
+                order(&[a.point, a.dir.abs()], &[b.point, b.dir.abs()])
+            };
+            let Some(first) = line.iter().min_by(by_numbers) else {
+                continue;
+            };
+            let decisive = own(&first);
             for member in &line {
                 let normal = |surface: usize| plane.iter().find(|one| one.surface == surface);
                 let same_front = normal(member.surface).map(|one| one.forward)
@@ -98,6 +109,14 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
         }
     }
     welds
+}
+
+/// An order of places and directions, so that what decides does not depend on the order of a file.
+fn order(a: &[DVec3; 2], b: &[DVec3; 2]) -> Ordering {
+    let numbers = |vectors: &[DVec3; 2]| vectors.map(|vector| vector.to_array()).concat();
+    let (a, b) = (numbers(a), numbers(b));
+    let orders = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b));
+    orders.fold(Ordering::Equal, Ordering::then)
 }
 
 /// The surfaces in each plane, in file order; the planes too.

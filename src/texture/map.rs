@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use dashu_ratio::RBig;
 use glam::DVec2;
 
 use super::{Texture, Wrap};
-use crate::math::Rgb;
+use crate::math::exact::decimal;
+use crate::math::{Grid, Rgb};
 
 /// A texture laid over a rectangle, upright, with its lower-left corner at the rectangle's.
 #[derive(Debug, Clone)]
@@ -16,13 +18,18 @@ pub struct TextureMap {
     pub wrap: Wrap,
     /// The world size of what is mapped: the whole image for CLAMP, one texel for REPEAT.
     pub size: DVec2,
+    /// The borders of the texels along x and y.
+    grids: [Grid; 2],
 }
 
 impl TextureMap {
     /// The chapter's CLAMP: the image is stretched to fill a rectangle of this world size.
     #[must_use]
     pub fn clamp(texture: Arc<Texture>, size: DVec2) -> Self {
+        let (width, height) = (texture.texels.width, texture.texels.height);
+        let pitch = |size: f64, count: usize| Grid::new(&(decimal(size) / RBig::from(count)));
         Self {
+            grids: [pitch(size.x, width), pitch(size.y, height)],
             texture,
             wrap: Wrap::Clamp,
             size,
@@ -36,23 +43,42 @@ impl TextureMap {
             texture,
             wrap: Wrap::Repeat,
             size: texel,
+            grids: texel.to_array().map(|pitch| Grid::new(&decimal(pitch))),
         }
     }
 
     /// The chapter's `texture_map`: the colour at an offset from the lower-left corner.
+    ///
+    /// Beyond 2⁵³ texels no double says which one it is, and the mean colour of all is seen.
     #[must_use]
     pub fn at(&self, offset: DVec2) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
-        #[expect(clippy::cast_precision_loss, reason = "image sides are far below 2^53")]
-        let place = match self.wrap {
-            // Multiplied first: a whole texel, such as 49 × 1/49, must not fall short of itself.
-            Wrap::Clamp => offset * DVec2::new(width as f64, height as f64) / self.size,
-            Wrap::Repeat => offset / self.size,
-        };
-        let column = self.wrap.index(place.x, width);
+        let [across, up] = &self.grids;
+        let (column, row) = (across.cell(offset.x), up.cell(offset.y));
+        if self.wrap == Wrap::Repeat && column.abs().max(row.abs()) >= Grid::MOST_CELLS {
+            return self.texture.mean();
+        }
+        let column = self.wrap.index(column, width);
         // Images are stored from the top, offsets are counted from the bottom.
-        let row = height - 1 - self.wrap.index(place.y, height);
+        let row = height - 1 - self.wrap.index(row, height);
         self.texture.texel(column, row)
+    }
+
+    /// An offset, moved as little as possible into the texel that it is in exactly; see
+    /// [`Grid::settled`].
+    #[must_use]
+    pub fn settled(
+        &self,
+        offset: DVec2,
+        doubt: f64,
+        exact: impl Fn() -> Option<[RBig; 2]>,
+    ) -> DVec2 {
+        let [x, y] = &self.grids;
+        let along = |axis: usize| exact().map_or(RBig::ZERO, |[x, y]| [x, y][axis].clone());
+        DVec2::new(
+            x.settled(offset.x, doubt, || along(0)),
+            y.settled(offset.y, doubt, || along(1)),
+        )
     }
 }
 

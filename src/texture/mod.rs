@@ -28,6 +28,7 @@ pub struct Texture {
     divisor: f64,
     /// The intensity of every value that a channel can have.
     intensities: Vec<f64>,
+    mean: Rgb,
 }
 
 /// The texels of an image, row by row from the top.
@@ -77,6 +78,7 @@ impl Texture {
         let intensities = (0..=largest)
             .map(|channel| f64::from(channel) / unit)
             .collect();
+        let mean = mean(&texels) / unit;
         let (name, file) = (name.to_owned(), file.to_owned());
         Self {
             name,
@@ -85,6 +87,7 @@ impl Texture {
             texels,
             divisor,
             intensities,
+            mean,
         }
     }
 
@@ -99,6 +102,12 @@ impl Texture {
         Rgb::new(intensity(r), intensity(g), intensity(b))
     }
 
+    /// The mean colour of all texels.
+    #[must_use]
+    pub fn mean(&self) -> Rgb {
+        self.mean
+    }
+
     /// The texture as a node of the scene language.
     #[must_use]
     pub fn describe(&self) -> Node {
@@ -106,4 +115,15 @@ impl Texture {
             .value(self.file.as_str())
             .with_property("divisor", self.divisor)
     }
+}
+
+/// The mean channels of all texels.
+fn mean(texels: &Texels) -> Rgb {
+    // At most 2^28 texels of 16 bits, so the sums are whole numbers that fit.
+    let sum = texels.channels.iter().fold([0u64; 3], |sum, texel| {
+        std::array::from_fn(|channel| sum[channel] + u64::from(texel[channel]))
+    });
+    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+    let ([r, g, b], count) = (sum.map(|sum| sum as f64), texels.channels.len() as f64);
+    Rgb::new(r, g, b) / count
 }

@@ -115,7 +115,22 @@ fn code_4_when_a_file_is_missing_or_cannot_be_written() {
 }
 
 #[test]
-fn code_5_when_a_pixel_is_infinite_and_the_picture_is_written() {
+fn code_5_when_a_pixel_is_not_a_number_and_the_picture_is_written() {
+    let shell = Shell::with_scene();
+    let mut faulty = shell.command(&["render", "scene.kdl"]);
+    let output = faulty.env("HELIODON_FAULT", "non-finite").output();
+    let output = output.expect("the program starts");
+    assert_eq!(output.status.code(), Some(5));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains("error: scene.kdl: 1 pixels are infinite or not a number: 0,0"),
+        "{said}"
+    );
+    assert_eq!(shell.files(), ["scene.kdl", "scene.png"]);
+}
+
+#[test]
+fn light_brighter_than_any_number_is_as_bright_as_a_number_can_be() {
     let shell = Shell::new();
     // So near to a wall that 1/d² leaves the range of numbers.
     let blinding = r#"
@@ -125,9 +140,17 @@ fn code_5_when_a_pixel_is_infinite_and_the_picture_is_written() {
         material "chalk" { ambient 1 }
         plane "wall" { material "chalk"; point 0 0 0; normal 0 0 1 }"#;
     shell.write("blinding.kdl", blinding);
-    let run = shell.run(&["render", "blinding.kdl"]).ends_with(5);
-    run.says("pixels are infinite or not a number: ");
-    assert_eq!(shell.files(), ["blinding.kdl", "blinding.png"]);
+    shell
+        .run(&["render", "blinding.kdl", "-o", "blinding.pfm"])
+        .ends_with(0);
+    let map = shell.read("blinding.pfm");
+    let floats = map[map.len() - 4 * 3 * 4 * 3..].chunks(4);
+    for float in floats {
+        assert_eq!(
+            f32::from_le_bytes(float.try_into().expect("4 bytes")),
+            f32::MAX
+        );
+    }
 }
 
 #[test]

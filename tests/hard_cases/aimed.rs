@@ -163,7 +163,7 @@ fn scale() -> u64 {
     })
 }
 
-fn ask(node: &Node, stage: &Stage<'_>, oracle: &Oracle, ray: &Ray) -> Answer {
+fn ask(node: &Node, stage: &Stage, oracle: &Oracle, ray: &Ray<'static>) -> Answer {
     count(node, stage, ray)?;
     let Some(expected) = node.get("first") else {
         return Ok(());

@@ -78,7 +78,7 @@ impl Oracle {
 
     /// The name of the surface that a ray meets first, or `nothing`; of equally near ones the first
     /// in the scene.
-    pub(crate) fn first(&self, ray: &Ray) -> &str {
+    pub(crate) fn first(&self, ray: &Ray<'static>) -> &str {
         let origin = minus(&vector(ray.origin.anchor), &vector(-ray.origin.offset));
         let direction = vector(ray.dir);
         let mut best: Option<(RBig, &str)> = None;
@@ -94,7 +94,7 @@ impl Oracle {
     }
 
     /// Column and row of the texel at which a ray meets a surface with a 4 × 4 texture.
-    pub(crate) fn texel(&self, name: &str, ray: &Ray) -> [f64; 2] {
+    pub(crate) fn texel(&self, name: &str, ray: &Ray<'static>) -> [f64; 2] {
         let origin = minus(&vector(ray.origin.anchor), &vector(-ray.origin.offset));
         let found = self.surfaces.iter().find(|(known, _)| known == name);
         let Some((_, Shape::Flat(flat))) = found else {

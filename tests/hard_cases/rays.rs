@@ -69,7 +69,7 @@ pub(crate) fn nudged(
 }
 
 /// What a moved ray is asked: the count as it is given, and the first surface by exact arithmetic.
-fn neighbour(node: &Node, stage: &Stage<'_>, oracle: &Oracle, ray: &Ray) -> Answer {
+fn neighbour(node: &Node, stage: &Stage, oracle: &Oracle, ray: &Ray<'static>) -> Answer {
     if node.get("count").is_some() {
         count(node, stage, ray)
     } else {
@@ -77,7 +77,7 @@ fn neighbour(node: &Node, stage: &Stage<'_>, oracle: &Oracle, ray: &Ray) -> Answ
     }
 }
 
-fn ask(node: &Node, stage: &Stage<'_>, oracle: &Oracle, ray: &Ray, index: u32) -> Answer {
+fn ask(node: &Node, stage: &Stage, oracle: &Oracle, ray: &Ray<'static>, index: u32) -> Answer {
     count(node, stage, ray)?;
     let Some(expected) = node.get("first") else {
         return Ok(());
@@ -119,7 +119,7 @@ fn ask(node: &Node, stage: &Stage<'_>, oracle: &Oracle, ray: &Ray, index: u32) -
 
 /// The truth about texels: `texel="column row"`, `*` for any, and `texel-step` for each repetition
 /// modulo `texel-size`.
-pub(crate) fn texel(node: &Node, met: &Met<'_>, index: u32) -> Answer {
+pub(crate) fn texel(node: &Node, met: &Met, index: u32) -> Answer {
     let Some(texel) = node.get("texel") else {
         return Ok(());
     };
@@ -136,7 +136,8 @@ pub(crate) fn texel(node: &Node, met: &Met<'_>, index: u32) -> Answer {
         } else {
             moved.rem_euclid(size[axis])
         };
-        if found[axis].to_bits() != expected.to_bits() {
+        #[expect(clippy::float_cmp, reason = "both are whole")]
+        if found[axis] != expected {
             let what = ["column", "row"][axis];
             return Err(format!("texel {what} {}, expected {expected}", found[axis]));
         }
@@ -145,7 +146,7 @@ pub(crate) fn texel(node: &Node, met: &Met<'_>, index: u32) -> Answer {
 }
 
 /// Whether as many surfaces are met as `count` says.
-pub(crate) fn count(node: &Node, stage: &Stage<'_>, ray: &Ray) -> Answer {
+pub(crate) fn count(node: &Node, stage: &Stage, ray: &Ray<'static>) -> Answer {
     let Some(expected) = node.number::<usize>("count") else {
         return Ok(());
     };
@@ -165,10 +166,10 @@ pub(crate) fn count(node: &Node, stage: &Stage<'_>, ray: &Ray) -> Answer {
 /// or `exact` for the answer of exact arithmetic. What is met is given back.
 pub(crate) fn first<'a>(
     expected: &str,
-    met: Option<&'a Met<'a>>,
-    ray: &Ray,
+    met: Option<&'a Met>,
+    ray: &Ray<'static>,
     oracle: &Oracle,
-) -> Result<Option<&'a Met<'a>>, String> {
+) -> Result<Option<&'a Met>, String> {
     let found = met.map_or("nothing", Met::name);
     let truth = match expected {
         "exact" => oracle.first(ray),

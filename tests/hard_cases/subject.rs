@@ -3,7 +3,7 @@
 use heliodon::accel::SurfaceList;
 use heliodon::film::{Film, Rounding};
 use heliodon::language::{Node, render_problems};
-use heliodon::math::{Departure, Numerics, Point, Ray, Span, Support, unit};
+use heliodon::math::{Departure, Flat, Numerics, Point, Ray, Span, Support, unit};
 use heliodon::measure::check;
 use heliodon::read::{Options, Rejection, read_bytes};
 use heliodon::render::{Counts, render};
@@ -73,17 +73,17 @@ pub(crate) struct Refused {
 
 /// Where a ray first meets a surface.
 #[derive(Debug)]
-pub(crate) struct Met<'a> {
-    surface: &'a dyn Surface,
-    support: Option<Support>,
+pub(crate) struct Met {
+    surface: &'static dyn Surface,
+    sheet: (Option<Support>, Option<&'static Flat>),
     hit: Hit,
 }
 
 /// A scene ready to be asked about rays.
 #[derive(Debug)]
-pub(crate) struct Stage<'a> {
-    surfaces: &'a [Box<dyn Surface>],
-    list: SurfaceList<'a>,
+pub(crate) struct Stage {
+    surfaces: &'static [Box<dyn Surface>],
+    list: SurfaceList<'static>,
 }
 
 impl Subject {
@@ -127,7 +127,7 @@ impl Subject {
     }
 
     /// The scene ready to be asked about rays.
-    pub(crate) fn stage(&self) -> Stage<'_> {
+    pub(crate) fn stage(&self) -> Stage {
         Stage {
             surfaces: self.surfaces,
             list: match self.numerics {
@@ -168,19 +168,19 @@ pub(crate) fn code(intensity: f64) -> u16 {
     Rounding::Nearest.code(intensity, 255)
 }
 
-impl<'a> Stage<'a> {
+impl Stage {
     /// The surface that a ray meets first.
-    pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'a>> {
+    pub(crate) fn first(&self, ray: &Ray<'static>) -> Option<Met> {
         let (entry, hit) = self.list.nearest(ray, Span::AHEAD)?;
         Some(Met {
             surface: entry.surface,
-            support: entry.support,
+            sheet: entry.sheet(),
             hit,
         })
     }
 
     /// The names of all surfaces that a ray meets, each asked by itself.
-    pub(crate) fn every(&self, ray: &Ray) -> Vec<&'a str> {
+    pub(crate) fn every(&self, ray: &Ray<'static>) -> Vec<&'static str> {
         let met = self
             .surfaces
             .iter()
@@ -193,7 +193,7 @@ fn name(surface: &dyn Surface) -> &str {
     surface.common().name.as_deref().unwrap_or("(unnamed)")
 }
 
-impl Met<'_> {
+impl Met {
     /// The surface's name.
     pub(crate) fn name(&self) -> &str {
         name(self.surface)
@@ -221,9 +221,10 @@ impl Met<'_> {
     }
 
     /// The ray that is mirrored here.
-    pub(crate) fn mirrored(&self, ray: &Ray) -> Ray<'static> {
+    pub(crate) fn mirrored(&self, ray: &Ray<'static>) -> Ray<'static> {
         let direction = ray.mirrored(self.hit.normal);
-        let departure = Departure::new(self.support, ray, self.hit.point, self.hit.error);
+        let arriving: &'static Ray<'static> = Box::leak(Box::new(*ray));
+        let departure = Departure::new(self.sheet, arriving, self.hit.point, self.hit.error);
         Ray::leaving(Box::leak(Box::new(departure)), direction)
     }
 }

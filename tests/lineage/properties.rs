@@ -77,7 +77,7 @@ proptest! {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
         let Some((left, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
-        let departure = Departure::new(left.support, &ray, hit.point, hit.error);
+        let departure = Departure::new(left.sheet(), &ray, hit.point, hit.error);
         let onward = Ray::leaving(&departure, unit(onward).unwrap());
         if let Some((met, _)) = list.nearest(&onward, Span::AHEAD) {
             prop_assert_ne!(met.support, left.support);

@@ -23,7 +23,7 @@ pub(super) struct Exception {
     node: &'static str,
     /// The attribute that makes the exception.
     attribute: &'static str,
-    /// Its value; any if `None`.
+    /// Its value, or a property on its line; any if `None`.
     value: Option<&'static str>,
     /// What it is an exception from.
     from: &'static [Relation],
@@ -33,7 +33,7 @@ pub(super) struct Exception {
     example: &'static str,
 }
 
-pub(super) const EXCEPTIONS: [Exception; 5] = [
+pub(super) const EXCEPTIONS: [Exception; 6] = [
     Exception {
         node: "procedural-plane",
         attribute: "shader",
@@ -61,6 +61,19 @@ pub(super) const EXCEPTIONS: [Exception; 5] = [
         example: r#"tiled-plane {
             material "red"; alternate "blue"; point 0 0 -5; normal 0 0 1; xdir 1 0 0
             dimensions 0.7 0.7; start "course" }"#,
+    },
+    Exception {
+        node: "texture-plane",
+        attribute: "texture",
+        value: Some("texel"),
+        from: &[Relation::Scaled],
+        reason: "texels of a given size end at multiples of its decimal, such as 0.3 for three of \
+                 0.1, which is not what a scaled double says; rays aimed at such a line notice",
+        example: r#"image 3 1
+            camera { viewpoint 0.5 0.0625 1; screen 1 1 }
+            texture-plane {
+                material "red"; point 0 0 0; normal 0 0 1; xdir 1 0 0; dimensions 2 2
+                texture "arrow" mode="repeat" texel=0.1 }"#,
     },
     Exception {
         node: "sphere",
@@ -92,9 +105,13 @@ impl Exception {
 #[test]
 fn every_exception_is_needed() {
     for exception in &EXCEPTIONS {
+        let header = if exception.example.starts_with("image") {
+            ""
+        } else {
+            "image 32 24; camera { viewpoint 0 0 6; look-at 0 0 -5; field-of-view 60 }"
+        };
         let text = format!(
-            r#"image 32 24
-            camera {{ viewpoint 0 0 6; look-at 0 0 -5; field-of-view 60 }}
+            r#"{header}
             texture "arrow" "../textures/arrow-8x8.png"
             material "red" {{ ambient 5 1 1 }}
             material "blue" {{ ambient 1 1 5 }}
@@ -105,7 +122,10 @@ fn every_exception_is_needed() {
         let subject = Subject::new(&name, &text);
         let expected = subject.film();
         for (relation, other) in [
-            (Relation::Scaled, vec![scaled(&subject, 1)]),
+            (
+                Relation::Scaled,
+                (-50..50).map(|k| scaled(&subject, k)).collect(),
+            ),
             (Relation::Moved, vec![moved(&subject, [8.0, 5.0, 3.0])]),
             (
                 Relation::Turned,

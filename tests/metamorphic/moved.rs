@@ -106,6 +106,19 @@ fn moved_as_decimals(subject: &Subject, way: [i128; 3]) -> Subject {
     })
 }
 
+/// The same scene seen from a trifle aside.
+///
+/// The chapter's screen aims the rays of its edge pixels exactly at the lines between texels, and
+/// no such line is where it was when its decimal has been rounded to another one.
+fn aside(subject: &Subject) -> Subject {
+    subject.with_values(|place, value| {
+        if let (true, Value::Triple(numbers)) = (place.is_of_camera(), &value) {
+            let [x, y, z] = *numbers;
+            *value = Value::Triple([x + 0.001_234_567, y + 0.000_765_432, z]);
+        }
+    })
+}
+
 /// How many pixels differ by more than 1 code value of 8 bits.
 fn unlike(expected: &Film, found: &Film) -> usize {
     let [expected, found] = [expected, found].map(|film| film.bytes(Rounding::Nearest));
@@ -147,7 +160,10 @@ fn assert_hardly_any_changes(subjects: Vec<Subject>) {
 
 #[test]
 fn every_scene_can_be_moved_as_decimals() {
-    assert_hardly_any_changes(movable().collect());
+    // Stripes become ever narrower, so anywhere in their distance there is a border of one.
+    let stripes = |subject: &Subject| subject.says("procedural-plane", "shader", Some("stripes"));
+    let subjects = movable().filter(|subject| !stripes(subject));
+    assert_hardly_any_changes(subjects.map(|subject| aside(&subject)).collect());
 }
 
 #[test]

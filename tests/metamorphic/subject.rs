@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use heliodon::film::{Film, Rounding};
+use heliodon::film::Film;
 use heliodon::language::{Attribute, Node, Schema, Takes, Value, render_problems};
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::render;
@@ -38,6 +38,11 @@ impl Place {
     /// Whether the value is a point in the world.
     pub(super) fn is_point(self) -> bool {
         self.is_length() && self.attribute.takes == Takes::Triple
+    }
+
+    /// Whether the value is a point of the camera's.
+    pub(super) fn is_of_camera(self) -> bool {
+        self.is_point() && self.node.word == "camera"
     }
 
     /// Whether the value is a direction in the world; an ellipsoid's factors look like one.
@@ -121,13 +126,19 @@ impl Subject {
         changed
     }
 
-    /// Whether some node of a kind has an attribute; with this text, if one is given.
+    /// Whether some node of a kind has an attribute; with this text or this property, if one is given.
     pub(super) fn says(&self, node: &str, attribute: &str, text: Option<&str>) -> bool {
         let nodes = self.nodes.iter().filter(|found| found.schema.word == node);
         let mut entries = nodes.filter_map(|node| node.entry(attribute));
         entries.any(|entry| {
             let found = entry.value.as_ref().map_or("", Value::text);
-            text.is_none_or(|text| text == found)
+            let property = |text| {
+                entry
+                    .properties
+                    .iter()
+                    .any(|own| own.attribute.word == text)
+            };
+            text.is_none_or(|text| text == found || property(text))
         })
     }
 
@@ -183,17 +194,19 @@ pub(super) fn difference(title: &str, expected: &Film, found: &Film) -> Option<S
     })
 }
 
-/// Says how two films differ, if a code value of 16 bits does.
-///
-/// For scenes of which the geometry is the same, but that anchor their hits at other points: the
-/// last bits of a distance may then differ, and nothing that is ever seen.
-pub(super) fn difference_in_codes(title: &str, expected: &Film, found: &Film) -> Option<String> {
-    let codes = |film: &Film, index: usize| {
-        let channels = film.pixels()[index].channels();
-        channels.map(|channel| Rounding::Nearest.code(channel, 65_535))
-    };
+/// How much of a colour may be rounding where hits are computed from other points of a plane.
+const ROUNDING: f64 = 1e-12;
+
+/// The first pixel in which two pictures differ by more than rounding, and how many do.
+pub(super) fn difference_beyond_rounding(
+    title: &str,
+    expected: &Film,
+    found: &Film,
+) -> Option<String> {
     differing(title, expected, found, |index| {
-        codes(expected, index) != codes(found, index)
+        let [one, other] = [expected, found].map(|film| film.pixels()[index].channels());
+        let mut channels = one.into_iter().zip(other);
+        channels.any(|(one, other)| (one - other).abs() > ROUNDING * one.abs())
     })
 }
 

@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use super::subject::{Subject, difference_in_codes, fail_on};
+use super::subject::{Subject, difference_beyond_rounding, fail_on};
 
 /// The numbers of tiles along x and y.
 const TILES: [i64; 2] = [7, 13];
@@ -204,7 +204,7 @@ fn complaints(material: &str) -> Vec<String> {
             };
             let title = format!("{}, camera {number}", wall.name);
             let (whole, tiled) = (picture(&wall.whole()), picture(&wall.tiled()));
-            complaints.extend(difference_in_codes(&title, &whole, &tiled));
+            complaints.extend(difference_beyond_rounding(&title, &whole, &tiled));
         }
     }
     complaints

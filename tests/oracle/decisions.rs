@@ -80,7 +80,7 @@ pub(crate) fn side(random: &mut Random, tallies: &mut Tallies) {
     }
     let exact = match surface.round() {
         Some([center, axes]) => truth::side_of_round(center, axes, &point),
-        None => truth::side(&surface.flat().expect("a flat surface"), &point),
+        None => truth::side(surface.flat().expect("a flat surface"), &point),
     };
     let tally = tallies.of(aimed);
     let decided = tally.observe(|| surface.side(&point));
@@ -159,7 +159,7 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     }
     let end = random.nudged(ray.at(reach * factor).world(), 3);
     let arriving = Ray::new(Point::exact(ray.origin.world()), DVec3::Z);
-    let departure = Departure::new(None, &arriving, ray.origin, 0.0);
+    let departure = Departure::new((None, None), &arriving, ray.origin, 0.0);
     let Some(segment) = Segment::new(&departure, end) else {
         return;
     };
@@ -187,14 +187,14 @@ fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool
     if height <= 2.0 * rounding + 1e-13 * size + f64::MIN_POSITIVE {
         return None;
     }
-    let sides = truth::side(&flat, &start) * truth::side(&flat, &end);
+    let sides = truth::side(flat, &start) * truth::side(flat, &end);
     if sides >= 0 {
         return Some(false);
     }
     // The direction of a segment so flat that rounding turns it the other way says nothing.
-    let rises = truth::side(&flat, &end);
-    let rise = Vector::of(flat.normal).dot(&Vector::of(segment.ray.dir));
-    (sign(&rise) == rises).then(|| truth::passes_inside(&flat, &surface.borders(), &segment.ray))
+    let rises = truth::side(flat, &end);
+    let rise = Vector::of(flat.decisive_normal()).dot(&Vector::of(segment.ray.dir));
+    (sign(&rise) == rises).then(|| truth::passes_inside(flat, &surface.borders(), &segment.ray))
 }
 
 fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {

@@ -223,8 +223,7 @@ impl Room {
         if bounces == 0 {
             return;
         }
-        let departure =
-            Departure::new(entry.support, ray, hit.point, hit.error).in_plane(entry.surface.flat());
+        let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let through = can_be_passed && random.once_in(2);
         let dir = if through {
             ray.dir

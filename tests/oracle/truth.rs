@@ -37,8 +37,8 @@ pub(crate) fn meets(surface: &dyn Surface, ray: &Ray) -> Option<Distance> {
         return enters(center, axes, ray).map(Distance::Root);
     }
     let flat = surface.flat().expect("a flat surface or a round one");
-    let t = crosses(&flat, ray).filter(|t| sign(t) > 0)?;
-    passes_inside(&flat, &surface.borders(), ray).then_some(Distance::Quotient(t))
+    let t = crosses(flat, ray).filter(|t| sign(t) > 0)?;
+    passes_inside(flat, &surface.borders(), ray).then_some(Distance::Quotient(t))
 }
 
 /// Where the line of a ray crosses a plane, behind its origin too.
@@ -52,17 +52,17 @@ pub(crate) fn crosses(flat: &Flat, ray: &Ray) -> Option<RBig> {
 /// The sign of the height of a point above a plane, on the plane's own front side.
 pub(crate) fn side(flat: &Flat, point: &Point) -> i8 {
     let [base, _] = flat.decisive().map(Vector::of);
-    sign(&Vector::of(flat.normal).dot(&Vector::to(point).minus(&base)))
+    sign(&Vector::of(flat.decisive_normal()).dot(&Vector::to(point).minus(&base)))
 }
 
 /// Whether the line of a ray passes all borders on their inner sides, or through those that are
 /// owned.
 pub(crate) fn passes_inside(flat: &Flat, borders: &[Line], ray: &Ray) -> bool {
     let dir = Vector::of(ray.dir);
-    let rise = Vector::of(flat.normal).dot(&dir);
+    let rise = Vector::of(flat.decisive_normal()).dot(&dir);
     borders.iter().all(|border| {
         // The line at the place where the ray crosses the plane through the border's own point.
-        let (from, normal) = (Vector::of(border.point), Vector::of(flat.normal));
+        let (from, normal) = (Vector::of(border.point), Vector::of(flat.decisive_normal()));
         let origin = Vector::to(&ray.origin);
         let t = normal.dot(&from.minus(&origin)) / &rise;
         let place = origin.plus(&dir.times(&t));

@@ -23,6 +23,8 @@ const LEAST_USE: f64 = 0.3;
 struct Place {
     point: DVec3,
     normal: DVec3,
+    /// The normal of a neighbour in the same plane, which decides, less this one's.
+    tilt: DVec3,
     anchor: DVec3,
     offset: DVec3,
     dir: DVec3,
@@ -46,6 +48,7 @@ impl Place {
         Self {
             point: anchor * -random.share(),
             normal,
+            tilt: random.cube() * (2.0 * UNIT),
             anchor,
             offset: random.cube() * random.power(-30, 0),
             dir,
@@ -58,11 +61,12 @@ impl Place {
         // Of the order of a rounding, so that others stay as they are, or of any.
         let most = random.pick(&[-48, -48, 0]);
         let step = random.signed() * random.power(-56, most);
-        match random.below(5) {
+        match random.below(6) {
             0 => self.point[axis] += step,
             1 => self.normal[axis] += step,
             2 => self.anchor[axis] += step,
             3 => self.offset[axis] += step,
+            4 => self.tilt[axis] = random.signed() * 2.0 * UNIT,
             _ => self.dir[axis] += step,
         }
         if most == 0 {
@@ -79,7 +83,8 @@ impl Place {
     }
 
     fn flat(&self) -> Flat {
-        Flat::with_unit_normal(self.point, self.normal)
+        let neighbor = Flat::with_unit_normal(self.point, self.normal + self.tilt);
+        Flat::with_unit_normal(self.point, self.normal).welded(&neighbor)
     }
 
     fn ray(&self) -> Ray<'static> {
@@ -147,7 +152,7 @@ fn heights_are_within_their_bound_which_is_used() {
         let (flat, ray) = (place.flat(), place.ray());
         let crossing = flat.crossing(&ray)?;
         let way = Vector::to(&ray.origin).minus(&Vector::of(flat.point));
-        let apart = number(crossing.height) + Vector::of(flat.normal).dot(&way);
+        let apart = number(crossing.height) + Vector::of(flat.decisive_normal()).dot(&way);
         Some(rounded(&apart).abs() / crossing.doubt)
     });
 }
@@ -156,8 +161,9 @@ fn heights_are_within_their_bound_which_is_used() {
 fn slopes_are_within_their_bound_which_is_used() {
     let bound = slope_bound();
     is_used("D", |place| {
-        let crossing = place.flat().crossing(&place.ray())?;
-        let exact = Vector::of(place.normal).dot(&Vector::of(place.dir));
+        let flat = place.flat();
+        let crossing = flat.crossing(&place.ray())?;
+        let exact = Vector::of(flat.decisive_normal()).dot(&Vector::of(place.dir));
         Some(rounded(&(number(crossing.slope) - exact)).abs() / bound)
     });
 }
@@ -184,7 +190,7 @@ fn points_are_within_their_bound() {
         let point = flat.foot(&ray, t);
         let met = Vector::to(&ray.origin).plus(&Vector::of(ray.dir).times(&exact));
         let apart = Vector::to(&point).minus(&met).rounded().length();
-        Some(apart / Departure::new(None, &ray, point, error).rounding())
+        Some(apart / Departure::new((None, None), &ray, point, error).rounding())
     });
 }
 
@@ -204,10 +210,24 @@ fn no_bound_is_smaller_than_its_proof() {
     let flat = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
     let down = |point: DVec3| Ray::new(Point::exact(point), DVec3::NEG_Z);
     let height = flat.crossing(&down(DVec3::Z)).expect("a plane below").doubt;
-    let foot = Departure::new(None, &down(DVec3::Z), Point::exact(DVec3::ZERO), 0.0).rounding();
+    let foot = Departure::new(
+        (None, None),
+        &down(DVec3::Z),
+        Point::exact(DVec3::ZERO),
+        0.0,
+    )
+    .rounding();
     let least = [
-        ("D: a product and two sums", slope_bound(), 3.0),
-        ("N: two roundings of c, a product and two sums", height, 5.0),
+        (
+            "D: a product, two sums, and the neighbour's normal",
+            slope_bound(),
+            5.0,
+        ),
+        (
+            "N: two roundings of c, a product, two sums, and that normal",
+            height,
+            7.0,
+        ),
         (
             "v·(d × c): two more products and a difference",
             moment_bound(),

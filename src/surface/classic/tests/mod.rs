@@ -32,7 +32,7 @@ fn rectangle(corner: DVec3, normal: DVec3, xdir: DVec3, size: f64) -> FinitePlan
     FinitePlane::new(common(), corner, normal, xdir, DVec2::splat(size)).expect("a rectangle")
 }
 
-fn ray(origin: DVec3, dir: DVec3) -> Ray {
+fn ray(origin: DVec3, dir: DVec3) -> Ray<'static> {
     Ray::new(Point::exact(origin), unit(dir).expect("a direction"))
 }
 
@@ -112,7 +112,7 @@ fn a_shadow_lies_between_the_ends() {
     let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
     let occludes = |asked: &dyn Surface, from: f64, to: f64| {
         let at = |height: f64| DVec3::new(0.5, 0.5, height);
-        let segment = Segment::new(None, Point::exact(at(from)), at(to));
+        let segment = Segment::free(Point::exact(at(from)), at(to));
         asked.occludes(&segment.expect("a segment"), Side::Back)
     };
     let classic = &*surface::<f64>(&square);
@@ -185,7 +185,7 @@ fn an_unknown_surface_keeps_its_own_way_but_for_the_offset() {
     assert_eq!(distance::<f64>(&unknown, &from(5e-10)), None);
     let segment = |to: f64| {
         let start = Point::exact(DVec3::Y);
-        Segment::new(None, start, DVec3::new(0.0, to, 0.0)).expect("a segment")
+        Segment::free(start, DVec3::new(0.0, to, 0.0)).expect("a segment")
     };
     assert!(surface::<f64>(&unknown).occludes(&segment(-1.0), Side::Back));
     assert!(!surface::<f64>(&unknown).occludes(&segment(0.0), Side::On));

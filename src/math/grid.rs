@@ -1,0 +1,128 @@
+//! Evenly spaced lines: the borders of texels and tiles.
+
+use dashu_ratio::RBig;
+
+use super::Decisions;
+use super::band::UNIT;
+
+/// Lines at all whole multiples of a distance.
+///
+/// Line `k` lies at the double nearest to `k` times the decimal that the scene gives, where a
+/// surface that begins there would have its corner, too. So ten tiles of 0.1 end at 1, and the third
+/// begins at 0.3 though the double 3 × 0.1 is larger.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    pitch: f64,
+    /// What rounding took from the pitch.
+    rest: f64,
+}
+
+impl Grid {
+    /// Lines at this distance, which is above zero.
+    #[must_use]
+    pub fn new(pitch: &RBig) -> Self {
+        let rounded = pitch.to_f64().value();
+        let taken = RBig::try_from(rounded).unwrap_or_default();
+        Self {
+            pitch: rounded,
+            rest: (pitch - taken).to_f64().value(),
+        }
+    }
+
+    /// The number of cells that a double can count; of places beyond, no cell is known.
+    pub const MOST_CELLS: f64 = 9_007_199_254_740_992.0; // 2^53
+
+    /// The number of the cell that a place lies in: from line `k` up to but not on line `k + 1` it
+    /// is `k`.
+    #[must_use]
+    #[inline]
+    pub fn cell(&self, place: f64) -> f64 {
+        let estimate = place / self.pitch;
+        let below = estimate.floor();
+        let into = estimate - below;
+        // The quotient is rounded once and the pitch was, too.
+        let doubt = 4.0 * UNIT * estimate.abs();
+        if into > doubt && 1.0 - into > doubt {
+            return below;
+        }
+        let nearest = estimate.round();
+        if place >= self.line(nearest) {
+            nearest
+        } else {
+            nearest - 1.0
+        }
+    }
+
+    /// The place, moved as little as possible to the right side of the line nearest to it.
+    ///
+    /// `doubt` is how far at most the place is from the `exact` one, which is computed only if that
+    /// leaves the side in doubt.
+    #[must_use]
+    #[inline]
+    pub fn settled(&self, place: f64, doubt: f64, exact: impl FnOnce() -> RBig) -> f64 {
+        let estimate = place / self.pitch;
+        let into = (estimate - estimate.round()).abs();
+        if into * self.pitch > doubt + 4.0 * UNIT * place.abs() {
+            return place;
+        }
+        self.settled_exactly(&exact())
+    }
+
+    #[cold]
+    fn settled_exactly(&self, exact: &RBig) -> f64 {
+        let place = exact.to_f64().value();
+        let nearest = (place / self.pitch).round();
+        if !(place.is_finite() && nearest.abs() < Self::MOST_CELLS) {
+            return place;
+        }
+        let line = self.line(nearest);
+        let side = exact.cmp(&RBig::try_from(line).unwrap_or_default());
+        Decisions::note(side.is_eq());
+        if side.is_lt() {
+            place.min(line.next_down())
+        } else {
+            place.max(line)
+        }
+    }
+
+    /// Where a line lies.
+    fn line(&self, number: f64) -> f64 {
+        // The rounding error of a product is itself a double.
+        let product = number * self.pitch;
+        let rest = number.mul_add(self.pitch, -product);
+        product + (rest + number * self.rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::exact::decimal;
+
+    #[test]
+    fn the_lines_are_where_decimals_say() {
+        for (pitch, decimals) in [("0.1", 1), ("0.01", 2), ("0.7", 1), ("1e-3", 3)] {
+            let pitch: f64 = pitch.parse().expect("a number");
+            let grid = Grid::new(&decimal(pitch));
+            for number in -1000..=1000i32 {
+                let tenths = f64::from(number) * pitch * 10f64.powi(decimals);
+                let line: f64 = format!("{}e-{decimals}", tenths.round())
+                    .parse()
+                    .expect("a number");
+                assert_eq!(grid.cell(line), f64::from(number), "{number} × {pitch}");
+                assert_eq!(grid.cell(line.next_down()), f64::from(number) - 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_place_in_doubt_goes_to_its_side() {
+        let grid = Grid::new(&decimal(0.1));
+        let on = || RBig::try_from(0.3).expect("finite");
+        let below = || on() - decimal(1e-30);
+        assert_eq!(grid.settled(0.3, 1e-16, below), 0.3f64.next_down());
+        assert_eq!(grid.settled(0.3f64.next_down(), 1e-16, on), 0.3);
+        let never = || unreachable!("not in doubt");
+        assert_eq!(grid.settled(0.25, 1e-16, never), 0.25);
+    }
+}
