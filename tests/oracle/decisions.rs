@@ -154,7 +154,7 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     let (ray, aimed) = cases::ray(random, &*surface, style, scale);
     let reach = truth::meets(&*surface, &ray).map_or(scale, |at| at.approximate());
     let factor = random.pick(&[0.5, 0.99, 1.0, 1.01, 2.0, 1000.0]);
-    if !(reach * factor < 1e100) {
+    if reach * factor >= 1e100 {
         return;
     }
     let end = random.nudged(ray.at(reach * factor).world(), 3);

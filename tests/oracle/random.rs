@@ -3,7 +3,7 @@
 use glam::DVec3;
 use heliodon::math::{Point, unit};
 
-/// SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
+/// `SplitMix64` (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
 ///
 /// Every case has a generator of its own, a function of the seed and the case's number, so any case
 /// can be had again without those before it.
