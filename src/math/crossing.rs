@@ -18,6 +18,9 @@ pub struct Crossing {
     pub rises: bool,
     /// How far at most the height is from the true one.
     pub doubt: f64,
+    /// How far the origin may be from where it ought to, if it is no further from the plane than
+    /// that: the ray crosses the plane at its very start, and there its line says little.
+    pub at_start: Option<f64>,
 }
 
 impl Crossing {

@@ -181,9 +181,8 @@ impl Flat {
         let ray = &segment.ray;
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
-        let doubt = self.doubt + ray.doubt;
-        let start = if height.abs() > doubt + ray.astray {
-            Sign::of(-height)
+        let (start, at_start) = if height.abs() > self.doubt + ray.doubt + ray.astray {
+            (Sign::of(-height), None)
         } else {
             self.side_of_origin(ray)
         };
@@ -197,7 +196,8 @@ impl Flat {
             height,
             slope: self.normal.dot(ray.dir),
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
+            at_start,
         })
     }
 
@@ -208,16 +208,16 @@ impl Flat {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let slope = self.normal.dot(ray.dir);
-        let doubt = self.doubt + ray.doubt;
         let rises = slope > 0.0;
         let crossing = Crossing {
             origin,
             height,
             slope,
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
+            at_start: None,
         };
-        if height.abs() > doubt + ray.astray && slope.abs() > SLOPE {
+        if height.abs() > crossing.doubt + ray.astray && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
@@ -229,18 +229,21 @@ impl Flat {
         let exact = ExactVector::from(ray.dir).dot(&self.decisive.into());
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
-        let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
+        let (side, at_start) = self.side_of_origin(ray);
+        let ahead = -(side * sign) == Sign::Positive;
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
         ahead.then_some(Crossing {
             rises,
             slope: if rises { steepness } else { -steepness },
+            at_start,
             ..crossing
         })
     }
 
-    /// The side of the plane that a ray starts on.
+    /// The side of the plane that a ray starts on; and if it is not measured, how far the origin may
+    /// be from where it ought to.
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
@@ -248,23 +251,31 @@ impl Flat {
     /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
     /// through the edges and corners of a room.
     #[cold]
-    fn side_of_origin(&self, ray: &Ray) -> Sign {
-        let Some(departure) = ray.departure else {
-            return self.exact_side(&ray.origin);
+    fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
+        let rounding = ray.rounding();
+        let mut ray = *ray;
+        let mut inherited = false;
+        let side = loop {
+            let Some(departure) = ray.departure else {
+                break self.exact_side(&ray.origin);
+            };
+            if departure.is_in(self) {
+                inherited = true;
+                break ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+            }
+            let (way, size) = ray.origin.seen_from(self.point);
+            let height = self.normal.dot(way);
+            if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
+                break Sign::of(height);
+            }
+            inherited = true;
+            ray = *departure.arriving;
         };
-        if departure
-            .flat
-            .is_some_and(|flat| flat.decisive() == self.decisive())
-        {
-            Decisions::note(true);
-            return ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+        if !inherited {
+            return (side, None);
         }
-        let (way, size) = ray.origin.seen_from(self.point);
-        let height = self.normal.dot(way);
-        if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
-            return Sign::of(height);
-        }
-        self.side_of_origin(departure.arriving)
+        Decisions::note(true);
+        (side, Some(rounding))
     }
 
     /// The distance at which a ray meets the plane, exactly.
@@ -282,7 +293,8 @@ impl Flat {
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
         let crossing = self.crossing(ray)?;
         let t = crossing.distance();
-        span.contains(t).then(|| (t, crossing.error(t)))
+        let error = crossing.error(t);
+        span.admits(t, error).then_some((t, error))
     }
 
     /// The point of the plane at distance `t` on a ray that meets it there.
