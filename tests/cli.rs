@@ -3,6 +3,8 @@
 #[path = "cli/shell.rs"]
 mod shell;
 
+#[path = "cli/certify.rs"]
+mod certify;
 #[path = "cli/determinism.rs"]
 mod determinism;
 #[path = "cli/exit_codes.rs"]

@@ -72,9 +72,10 @@ impl<'a> SurfaceList<'a> {
 
     /// The surface that a ray meets first.
     ///
-    /// Of equally near ones the first in the file wins.
+    /// Of equally near ones the first in the file wins. `tests` is raised by the number of surfaces
+    /// that are asked.
     #[must_use]
-    pub fn nearest(&self, ray: &Ray, span: Span) -> Option<(&Entry<'a>, Hit)> {
+    pub fn nearest(&self, ray: &Ray, span: Span, tests: &mut u64) -> Option<(&Entry<'a>, Hit)> {
         let mut best: Option<(&Entry<'a>, Hit)> = None;
         let mut span = span;
         let left = ray.leaves();
@@ -82,6 +83,7 @@ impl<'a> SurfaceList<'a> {
             if entry.lies_on(left) {
                 continue;
             }
+            *tests += 1;
             let Some(hit) = entry.surface.hits(ray, span) else {
                 continue;
             };

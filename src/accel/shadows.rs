@@ -102,14 +102,18 @@ impl<'a> LightView<'a> {
     /// The share of the light's colour that passes along a segment from a surface to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
-    /// the first in the file counts.
+    /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
-    pub fn transmittance(&self, from: &Entry<'_>, segment: &Segment) -> Rgb {
+    pub fn transmittance(&self, from: &Entry<'_>, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
         let left = segment.ray.leaves();
         for Caster { entry, side } in self.casters_for(from) {
-            if entry.lies_on(left) || !entry.surface.occludes(segment, *side) {
+            if entry.lies_on(left) {
+                continue;
+            }
+            *tests += 1;
+            if !entry.surface.occludes(segment, *side) {
                 continue;
             }
             if entry

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::messages::{Messages, problems_json};
-use super::{Status, input};
+use super::{Status, input, welds};
 use crate::measure;
 
 /// Reads scenes and reports every error, and what is odd about their geometry.
@@ -54,6 +54,7 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     let json = serde_json::json!({
         "scene": name,
         "exit": Status::Done.code(),
+        "welds": welds::as_json(&reading.scene),
         "problems": problems_json(&all, sources),
     });
     let verdict = match all.len() {
@@ -64,7 +65,8 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     let text = if options.json {
         format!("{json}\n")
     } else {
-        format!("{name}: {verdict}\n")
+        let welds = welds::as_text(&reading.scene, messages.verbose);
+        format!("{name}: {verdict}\n{welds}")
     };
     messages.result(&text, Status::Done)
 }

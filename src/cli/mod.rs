@@ -1,6 +1,7 @@
 //! The command line: arguments, messages, exit codes. One file per command.
 
 mod bug;
+mod certificate;
 mod check;
 mod convert;
 mod dump;
@@ -12,6 +13,7 @@ mod output;
 mod progress;
 mod render;
 mod status;
+mod welds;
 
 use std::process::ExitCode;
 

@@ -6,14 +6,15 @@ use std::time::Instant;
 
 use clap::Args;
 
+use super::certificate::{self, Report};
 use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, NumericsWord, Status, input, progress};
 use crate::film::{Film, Format, Notes, save};
-use crate::language::Problem;
+use crate::language::{Problem, Refusal};
 use crate::read::{self, Reading};
-use crate::render::{Counts, render};
+use crate::render::{self, Counts};
 use crate::scene::{Picture, Scene};
 
 /// Renders scenes to pictures.
@@ -45,6 +46,9 @@ pub(super) struct Options {
     /// Format of the pictures or of the scenes; may be given for both.
     #[arg(long, value_name = "FORMAT", value_enum)]
     format: Vec<FormatWord>,
+    /// Tell how right the picture is: how hits were decided, and the largest errors.
+    #[arg(long)]
+    certify: bool,
     /// Print what was done as JSON on standard output, one line for each scene.
     #[arg(long)]
     json: bool,
@@ -116,7 +120,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         numerics: options.numerics.map(NumericsWord::numerics),
     };
     let one = |(scene, output): (&PathBuf, &Output)| {
-        let made = picture(scene, output, &reader, &pool, messages);
+        let made = picture(scene, output, &reader, options.certify, &pool, messages);
         match (made, options.json) {
             (Ok(done), true) => messages.result(&done.json(), done.status),
             (Ok(done), false) => done.say(messages),
@@ -137,6 +141,7 @@ fn picture<'a>(
     scene: &Path,
     output: &'a Output,
     options: &read::Options,
+    certify: bool,
     pool: &rayon::ThreadPool,
     messages: &Messages,
 ) -> Result<Done<'a>, Failure> {
@@ -156,9 +161,17 @@ fn picture<'a>(
         return Err(Failure::new(Status::Usage, error, messages));
     }
     let bar = progress::bar(&title, u64::from(read.picture.height), messages);
-    let rendered = pool.install(|| render(&read, &|rows| bar.set_position(rows as u64)));
+    let progress = |rows| bar.set_position(rows as u64);
+    let rendered = pool.install(|| {
+        if certify {
+            let (film, certificate) = render::certify(&read, &progress)?;
+            return Ok((film, certificate.counts, Some(certificate)));
+        }
+        let (film, counts) = render::render(&read, &progress)?;
+        Ok((film, counts, None))
+    });
     bar.finish_and_clear();
-    let (mut film, counts) = rendered.map_err(|refusal| {
+    let (mut film, counts, certificate) = rendered.map_err(|refusal: Refusal| {
         Failure::new(
             Status::BadInput,
             format!("{title}: {}", refusal.reason),
@@ -172,7 +185,9 @@ fn picture<'a>(
         Failure::new(Status::Io, error, messages)
     })?;
     let status = non_finite(&film, &title, messages);
+    let certificate = certificate.map(|it| certificate::report(&it, &read, &film));
     Ok(Done {
+        certificate,
         title,
         read,
         warnings,
@@ -191,6 +206,7 @@ struct Done<'a> {
     read: Scene,
     warnings: Vec<Problem>,
     counts: Counts,
+    certificate: Option<Report>,
     hash: String,
     output: &'a Output,
     start: Instant,
@@ -200,7 +216,7 @@ struct Done<'a> {
 impl Done<'_> {
     fn json(&self) -> String {
         let picture = &self.read.picture;
-        let line = serde_json::json!({
+        let mut line = serde_json::json!({
             "scene": self.title,
             "exit": self.status.code(),
             "output": self.output.title(),
@@ -212,6 +228,9 @@ impl Done<'_> {
             "seconds": self.start.elapsed().as_secs_f64(),
             "problems": problems_json(&self.warnings, &self.read.sources),
         });
+        if let Some(certificate) = &self.certificate {
+            line["certificate"] = serde_json::json!(certificate);
+        }
         format!("{line}\n")
     }
 
@@ -225,6 +244,13 @@ impl Done<'_> {
             picture.height,
             self.start.elapsed().as_secs_f64(),
         ));
+        if let Some(certificate) = &self.certificate {
+            // The answer to a question is a result.
+            let printed = messages.result(&certificate.to_string(), self.status);
+            if printed != self.status {
+                return printed;
+            }
+        }
         if messages.verbose {
             let counts = &self.counts;
             messages.note(&format!(

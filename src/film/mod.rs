@@ -87,6 +87,21 @@ impl Film {
         bytes
     }
 
+    /// A fingerprint of the picture before it is quantised: its size and the bits of every channel.
+    #[must_use]
+    pub fn hash(&self) -> String {
+        let mut hasher = blake3::Hasher::new();
+        for side in [self.width, self.height] {
+            hasher.update(&(side as u64).to_le_bytes());
+        }
+        for pixel in &self.pixels {
+            for channel in pixel.channels() {
+                hasher.update(&channel.to_le_bytes());
+            }
+        }
+        hasher.finalize().to_hex().to_string()
+    }
+
     /// Column and row of every pixel with an infinite or not-a-number channel.
     pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
         let odd = self

@@ -10,7 +10,7 @@
 //! arithmetic, but cannot decide wrongly.
 
 /// Half of the distance from 1 to the next double: the largest relative rounding.
-pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+pub const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// Below this, products of doubles can lose bits to underflow; such values are always decided
 /// exactly. It stands for no length: it is the smallest double of full precision.
@@ -26,7 +26,8 @@ pub(crate) const HEIGHT: f64 = 8.0 * UNIT;
 
 /// `v·(d × c)`, in units of `size`: two roundings in `c`, a product and a difference in the cross
 /// product, a product and two sums: `γ(7) A`, and `A = Σ|vᵢ|(|dⱼcₖ| + |dₖcⱼ|)` is at most
-/// `|c|₁ maxₖ(|vᵢdⱼ| + |vⱼdᵢ|) ≤ |c|₁ (1 + 4u)²`.
+/// `|c|₁ maxₖ(|vᵢdⱼ| + |vⱼdᵢ|) ≤ |c|₁ (1 + 4u)²`. And 2 more, because the point of a border that is
+/// meant by decimals is their sum rounded, while the filter adds the size to the rounded corner.
 pub(crate) const MOMENT: f64 = 9.0 * UNIT;
 
 /// What a moment is off by, in units of what a height is off by; `size` is the same in both.

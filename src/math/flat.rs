@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, QUOTIENT, SLOPE, UNDERFLOW, UNIT};
+use super::band::{HEIGHT, SLOPE, UNDERFLOW, UNIT};
 use super::exact::{Distance, ExactVector, RationalVector, Sign};
-use super::{Decisions, Point, Ray, Segment, Span};
+use super::{Crossing, Decisions, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A plane through a point, with a unit normal.
@@ -23,32 +23,6 @@ pub struct Flat {
     slack: f64,
     /// The plane's share in what a height above it can be off by; see [`Ray`]'s.
     doubt: f64,
-}
-
-/// The side of a surface that a point is on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Where the normal points: the side that is lit.
-    Front,
-    /// Exactly on the surface.
-    On,
-    /// Behind, or inside of a closed surface.
-    Back,
-}
-
-/// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
-#[derive(Debug, Clone, Copy)]
-pub struct Crossing {
-    /// From the plane's point to the ray's origin.
-    pub origin: DVec3,
-    /// How far the origin lies behind the plane, along the normal: `N = −n·c`.
-    pub height: f64,
-    /// How much the ray rises along the normal per unit of `t`: `D = n·d`.
-    pub slope: f64,
-    /// Whether the ray rises along the normal; the sign of the slope, for certain.
-    pub rises: bool,
-    /// How far at most the height is from the true one.
-    pub doubt: f64,
 }
 
 impl Flat {
@@ -207,9 +181,8 @@ impl Flat {
         let ray = &segment.ray;
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
-        let doubt = self.doubt + ray.doubt;
-        let start = if height.abs() > doubt + ray.astray {
-            Sign::of(-height)
+        let (start, at_start) = if height.abs() > self.doubt + ray.doubt + ray.astray {
+            (Sign::of(-height), None)
         } else {
             self.side_of_origin(ray)
         };
@@ -223,7 +196,8 @@ impl Flat {
             height,
             slope: self.normal.dot(ray.dir),
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
+            at_start,
         })
     }
 
@@ -234,16 +208,16 @@ impl Flat {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let slope = self.normal.dot(ray.dir);
-        let doubt = self.doubt + ray.doubt;
         let rises = slope > 0.0;
         let crossing = Crossing {
             origin,
             height,
             slope,
             rises,
-            doubt,
+            doubt: self.doubt + ray.doubt,
+            at_start: None,
         };
-        if height.abs() > doubt + ray.astray && slope.abs() > SLOPE {
+        if height.abs() > crossing.doubt + ray.astray && slope.abs() > SLOPE {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
@@ -255,18 +229,21 @@ impl Flat {
         let exact = ExactVector::from(ray.dir).dot(&self.decisive.into());
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
-        let ahead = -(self.side_of_origin(ray) * sign) == Sign::Positive;
+        let (side, at_start) = self.side_of_origin(ray);
+        let ahead = -(side * sign) == Sign::Positive;
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
         ahead.then_some(Crossing {
             rises,
             slope: if rises { steepness } else { -steepness },
+            at_start,
             ..crossing
         })
     }
 
-    /// The side of the plane that a ray starts on.
+    /// The side of the plane that a ray starts on; and if it is not measured, how far the origin may
+    /// be from where it ought to.
     ///
     /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
     /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
@@ -274,23 +251,31 @@ impl Flat {
     /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
     /// through the edges and corners of a room.
     #[cold]
-    fn side_of_origin(&self, ray: &Ray) -> Sign {
-        let Some(departure) = ray.departure else {
-            return self.exact_side(&ray.origin);
+    fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
+        let rounding = ray.rounding();
+        let mut ray = *ray;
+        let mut inherited = false;
+        let side = loop {
+            let Some(departure) = ray.departure else {
+                break self.exact_side(&ray.origin);
+            };
+            if departure.is_in(self) {
+                inherited = true;
+                break ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+            }
+            let (way, size) = ray.origin.seen_from(self.point);
+            let height = self.normal.dot(way);
+            if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
+                break Sign::of(height);
+            }
+            inherited = true;
+            ray = *departure.arriving;
         };
-        if departure
-            .flat
-            .is_some_and(|flat| flat.decisive() == self.decisive())
-        {
-            Decisions::note(true);
-            return ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+        if !inherited {
+            return (side, None);
         }
-        let (way, size) = ray.origin.seen_from(self.point);
-        let height = self.normal.dot(way);
-        if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
-            return Sign::of(height);
-        }
-        self.side_of_origin(departure.arriving)
+        Decisions::note(true);
+        (side, Some(rounding))
     }
 
     /// The distance at which a ray meets the plane, exactly.
@@ -308,7 +293,8 @@ impl Flat {
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
         let crossing = self.crossing(ray)?;
         let t = crossing.distance();
-        span.contains(t).then(|| (t, crossing.error(t)))
+        let error = crossing.error(t);
+        span.admits(t, error).then_some((t, error))
     }
 
     /// The point of the plane at distance `t` on a ray that meets it there.
@@ -321,51 +307,6 @@ impl Flat {
             anchor: self.point,
             offset: offset - self.normal * self.normal.dot(offset),
         }
-    }
-}
-
-impl Side {
-    /// The side that the sign of a height above a surface stands for.
-    #[must_use]
-    pub fn of(height: Sign) -> Self {
-        match height {
-            Sign::Negative => Self::Back,
-            Sign::Zero => Self::On,
-            Sign::Positive => Self::Front,
-        }
-    }
-
-    /// The other side; there is none of what lies on the surface.
-    #[must_use]
-    pub fn opposite(self) -> Option<Self> {
-        match self {
-            Self::Front => Some(Self::Back),
-            Self::On => None,
-            Self::Back => Some(Self::Front),
-        }
-    }
-}
-
-impl Crossing {
-    /// The distance of the crossing: above zero, as it lies ahead.
-    #[must_use]
-    pub fn distance(&self) -> f64 {
-        const SMALLEST: f64 = f64::from_bits(1);
-        // Within rounding of the plane, the height can have the wrong sign.
-        (self.height / self.slope).max(SMALLEST)
-    }
-
-    /// Whether the crossing lies beyond a span for certain, before any division.
-    #[must_use]
-    #[inline(always)]
-    pub fn is_beyond(&self, span: Span) -> bool {
-        self.height.abs() - self.doubt > span.max() * (self.slope.abs() + SLOPE)
-    }
-
-    /// How far at most a distance is from the exact one.
-    #[must_use]
-    pub fn error(&self, t: f64) -> f64 {
-        (self.doubt + SLOPE * t) / self.slope.abs() + QUOTIENT * t
     }
 }
 

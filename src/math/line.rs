@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::exact::{Exact, ExactVector, Sign};
-use super::{Decisions, Ray};
+use super::{Crossing, Decisions, Ray};
 
 /// A line in a plane with an inner side, as one border of a surface. Neighbours that share the line
 /// decide by the same one, so no ray passes between them.
@@ -90,12 +90,23 @@ impl Line {
     }
 }
 
-/// Whether the line of a ray passes on the inner side of all borders of a surface, without rounding;
-/// `rises` tells whether the ray goes up along the surface's normal.
+/// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding.
+///
+/// A ray that starts within rounding of the plane crosses it where it starts; if it starts within
+/// rounding of the surface, it meets it. So there is no way out between two walls of a room for a
+/// ray that rounding has put into the edge.
 #[cold]
 #[must_use]
-pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, rises: bool) -> bool {
-    let outer = if rises {
+pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, crossing: &Crossing) -> bool {
+    if let Some(rounding) = crossing.at_start {
+        let start = ray.origin.exactly_from(DVec3::ZERO);
+        let inside = |border: &Line| border.inward(&start, normal) >= -rounding;
+        if borders.iter().all(inside) {
+            Decisions::note(true);
+            return true;
+        }
+    }
+    let outer = if crossing.rises {
         Sign::Negative
     } else {
         Sign::Positive

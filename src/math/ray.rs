@@ -97,8 +97,8 @@ pub struct Departure<'a> {
     pub point: Point,
     /// The ray that arrived there.
     pub arriving: &'a Ray<'a>,
-    /// How far at most the distance to the hit is from the exact one.
-    error: f64,
+    /// How far at most the point lies from where it ought to.
+    rounding: f64,
     doubt: f64,
     astray: f64,
 }
@@ -113,22 +113,34 @@ impl<'a> Departure<'a> {
         error: f64,
     ) -> Self {
         let size = point.size();
+        let (_, before) = arriving.origin.seen_from(point.anchor);
+        let length = before + point.offset.abs().element_sum();
         Self {
             support,
             flat,
             point,
             arriving,
-            error,
+            rounding: arriving.rounding() + FOOT * length + 2.0 * error,
             doubt: HEIGHT * size,
-            astray: (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
+            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
         }
     }
 
-    /// How far at most the point lies from where the ray that arrived met the surface.
+    /// Whether the surface is known to lie in this plane.
+    #[must_use]
+    pub fn is_in(&self, flat: &Flat) -> bool {
+        self.flat
+            .is_some_and(|own| own.decisive() == flat.decisive())
+    }
+
+    /// How far at most the point lies from where it ought to: beyond a plane that was not crossed.
+    ///
+    /// That is how far it lies from where the ray that arrived met the surface, and how far that
+    /// ray's own origin was off, since a ray that starts beyond a plane and runs along it ends as
+    /// far beyond.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        let (_, size) = self.arriving.origin.seen_from(self.point.anchor);
-        FOOT * (size + self.point.offset.abs().element_sum()) + 2.0 * self.error
+        self.rounding
     }
 }
 
@@ -224,6 +236,15 @@ impl Span {
     #[must_use]
     pub fn contains(self, t: f64) -> bool {
         t > 0.0 && t >= self.min && t <= self.max
+    }
+
+    /// Whether a hit counts that was computed to lie at distance `t`, but may be nearer by as much
+    /// as `error`.
+    ///
+    /// So a hit that may be the nearest is not lost only because another is known better.
+    #[must_use]
+    pub fn admits(self, t: f64, error: f64) -> bool {
+        t > 0.0 && t >= self.min && t - error <= self.max && t <= f64::MAX
     }
 
     /// The part up to distance `t`.

@@ -106,11 +106,12 @@ impl Rectangle {
         let scaled = self.inside(&crossing, ray)?;
         // Only a certain hit is divided.
         let t = crossing.distance();
-        if !span.contains(t) {
+        let error = crossing.error(t);
+        if !span.admits(t, error) {
             return None;
         }
         let offset = scaled / crossing.slope.abs();
-        Some((t, crossing.error(t), offset.max(DVec2::ZERO).min(self.size)))
+        Some((t, error, offset.max(DVec2::ZERO).min(self.size)))
     }
 
     /// Whether the rectangle stands between the ends of a segment, whose `end` is on this side.
@@ -118,8 +119,7 @@ impl Rectangle {
     #[inline]
     pub fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
-            self.inside(&crossing, &segment.ray).is_some()
-                && segment.span.contains(crossing.distance())
+            self.inside(&crossing, &segment.ray).is_some() && segment.holds(&crossing)
         })
     }
 
@@ -133,28 +133,23 @@ impl Rectangle {
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
+        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
 
         let x = self.frame.y.dot(moment) * sign;
+        let y = -self.frame.x.dot(moment) * sign;
+        if crossing.at_start.is_some() {
+            return exactly().then(|| DVec2::new(x, y));
+        }
         let beyond_x = self.size.x * scale - x;
         if x < -doubt || beyond_x < -doubt {
             return None;
         }
-        let y = -self.frame.x.dot(moment) * sign;
         let beyond_y = self.size.y * scale - y;
         if y < -doubt || beyond_y < -doubt {
             return None;
         }
         let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
-        let inside = if certain {
-            true
-        } else {
-            inside_all(
-                &self.borders,
-                ray,
-                self.flat.decisive_normal(),
-                crossing.rises,
-            )
-        };
+        let inside = if certain { true } else { exactly() };
         inside.then(|| DVec2::new(x, y))
     }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Departure, Point, Ray, Span, direction};
+use super::{Crossing, Departure, Point, Ray, Span, direction};
 
 /// The straight way from a point on a surface to a scene point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -39,5 +39,15 @@ impl<'a> Segment<'a> {
             length,
             span: Span::AHEAD,
         })
+    }
+
+    /// Whether a crossing that is known to lie between the ends counts.
+    ///
+    /// Of a segment that is nearly in the plane the distance of the crossing can be anything, even
+    /// infinite; but it lies before the end.
+    #[must_use]
+    #[inline]
+    pub fn holds(&self, crossing: &Crossing) -> bool {
+        self.span.contains(crossing.distance().min(self.length))
     }
 }

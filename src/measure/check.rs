@@ -123,7 +123,7 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
     };
     match (surface.bounds(), surface.flat()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
-        (None, Some(flat)) => can_be_met(&flat, camera, view),
+        (None, Some(flat)) => can_be_met(flat, camera, view),
         (None, None) => true,
     }
 }

@@ -1,20 +1,23 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod errors;
 mod probe;
 mod samples;
 mod tracer;
 
+pub use errors::{Certificate, Errors};
 pub use probe::{Counts, Probe};
 pub use samples::samples;
 pub use tracer::Tracer;
 
+use std::iter::Sum;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
 use crate::film::Film;
 use crate::language::Refusal;
-use crate::math::Rgb;
+use crate::math::{Decisions, Rgb};
 use crate::scene::Scene;
 use crate::surface::classic;
 
@@ -26,6 +29,24 @@ use crate::surface::classic;
 /// # Errors
 /// Refuses a camera that cannot exist and a picture that memory cannot hold.
 pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
+    observed(scene, progress)
+}
+
+/// Renders a scene like [`render`], and finds out how right the picture is.
+///
+/// # Errors
+/// As [`render`].
+pub fn certify(
+    scene: &Scene,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, Certificate), Refusal> {
+    observed(scene, progress)
+}
+
+fn observed<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
     let tracer = Tracer::new(scene, classic.as_deref())?;
     let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
@@ -35,17 +56,19 @@ pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film,
     })?;
     let done = AtomicUsize::new(0);
     let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
-    let counts = rows
+    let seen = rows
         .map(|(row, pixels)| {
-            let mut counts = Counts::default();
+            let mut probe = P::default();
+            let before = Decisions::of_this_thread();
             for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(&tracer, scene, column, row, &mut counts);
+                *pixel = pixel_color(&tracer, scene, column, row, &mut probe);
             }
+            probe.decisions(Decisions::of_this_thread() - before);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            counts
+            probe
         })
         .sum();
-    Ok((film, counts))
+    Ok((film, seen))
 }
 
 /// The mean of a pixel's samples, unclamped, summed in their order.

@@ -2,6 +2,9 @@
 
 use std::iter::Sum;
 
+use super::Errors;
+use crate::math::Decisions;
+
 /// Someone who is told what the tracer does. `()` does not listen and costs nothing.
 pub trait Probe {
     /// A ray from the eye.
@@ -12,6 +15,14 @@ pub trait Probe {
     fn mirror_ray(&mut self) {}
     /// A ray straight through a surface.
     fn transmitted_ray(&mut self) {}
+    /// Surfaces that were asked whether a ray meets them.
+    fn hit_tests(&mut self, _count: u64) {}
+    /// Surfaces that were asked whether they hide a light.
+    fn occlusion_tests(&mut self, _count: u64) {}
+    /// What of that rounded values could not decide.
+    fn decisions(&mut self, _decisions: Decisions) {}
+    /// A hit, with how far off it may be.
+    fn hit(&mut self, _errors: Errors) {}
 }
 
 impl Probe for () {}
@@ -27,6 +38,12 @@ pub struct Counts {
     pub mirror_rays: u64,
     /// Rays through surfaces.
     pub transmitted_rays: u64,
+    /// Surfaces that were asked whether a ray meets them.
+    pub hit_tests: u64,
+    /// Surfaces that were asked whether they hide a light.
+    pub occlusion_tests: u64,
+    /// What of that rounded values could not decide.
+    pub decisions: Decisions,
 }
 
 impl Counts {
@@ -53,6 +70,18 @@ impl Probe for Counts {
     fn transmitted_ray(&mut self) {
         self.transmitted_rays += 1;
     }
+
+    fn hit_tests(&mut self, count: u64) {
+        self.hit_tests += count;
+    }
+
+    fn occlusion_tests(&mut self, count: u64) {
+        self.occlusion_tests += count;
+    }
+
+    fn decisions(&mut self, decisions: Decisions) {
+        self.decisions = self.decisions + decisions;
+    }
 }
 
 impl Sum for Counts {
@@ -62,6 +91,9 @@ impl Sum for Counts {
             shadow_rays: sum.shadow_rays + next.shadow_rays,
             mirror_rays: sum.mirror_rays + next.mirror_rays,
             transmitted_rays: sum.transmitted_rays + next.transmitted_rays,
+            hit_tests: sum.hit_tests + next.hit_tests,
+            occlusion_tests: sum.occlusion_tests + next.occlusion_tests,
+            decisions: sum.decisions + next.decisions,
         })
     }
 }

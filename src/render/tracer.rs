@@ -8,7 +8,7 @@ use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::scene::Scene;
 use crate::surface::{Hit, Surface};
 
-use super::Probe;
+use super::{Errors, Probe};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -33,6 +33,8 @@ struct Path {
     travelled: f64,
     /// The largest share of the ray's colour that reaches the pixel.
     weight: f64,
+    /// What rounding may have done to it.
+    errors: Errors,
 }
 
 impl<'a> Tracer<'a> {
@@ -68,6 +70,7 @@ impl<'a> Tracer<'a> {
         let path = Path {
             travelled: 0.0,
             weight: 1.0,
+            errors: Errors::default(),
         };
         let color = self.trace(&self.camera.ray(x, y), &path, &mut bounces, probe);
         // Adding zero turns −0 into +0, which is the same colour.
@@ -76,9 +79,16 @@ impl<'a> Tracer<'a> {
 
     /// The colour that comes back along a ray; black where there is nothing.
     fn trace(&self, ray: &Ray, path: &Path, bounces: &mut u32, probe: &mut impl Probe) -> Rgb {
-        let Some((entry, hit)) = self.surfaces.nearest(ray, self.camera.span(ray)) else {
+        let mut tests = 0;
+        let met = self
+            .surfaces
+            .nearest(ray, self.camera.span(ray), &mut tests);
+        probe.hit_tests(tests);
+        let Some((entry, hit)) = met else {
             return Rgb::BLACK;
         };
+        let errors = path.errors.at(&hit);
+        probe.hit(errors);
         let surface = entry.surface;
         let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
@@ -91,6 +101,7 @@ impl<'a> Tracer<'a> {
             let path = Path {
                 travelled,
                 weight: path.weight * share.max_channel(),
+                errors: errors.behind(surface),
             };
             let spent = path.weight <= self.scene.picture.cut_off
                 || travelled > self.scene.lighting.reach
@@ -182,7 +193,9 @@ impl<'a> Tracer<'a> {
             return Some(leaving);
         }
         probe.shadow_ray();
-        let passed = view.transmittance(entry, segment);
+        let mut tests = 0;
+        let passed = view.transmittance(entry, segment, &mut tests);
+        probe.occlusion_tests(tests);
         (!passed.is_black()).then(|| leaving * passed)
     }
 }

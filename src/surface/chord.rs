@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::math::Decisions;
-use crate::math::band::UNIT;
+use crate::math::band::{UNDERFLOW, UNIT};
 use crate::math::exact::{Distance, Exact, Sign};
 
 /// A line and a ball around the origin, seen from the ray's origin.
@@ -147,6 +147,21 @@ impl Quadratic {
     pub(super) fn entry(self) -> Option<Distance> {
         Some(Distance::smaller_root(self.a, self.b, &self.c))
     }
+}
+
+/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; `way` leads
+/// there from the centre, and `exact` is its scalar product with the line's direction.
+#[inline]
+pub(super) fn is_beyond(way: DVec3, dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
+    // One rounding in `way` and, in the space of an ellipsoid, two in both; a product and two sums.
+    const ROUNDINGS: f64 = 8.0 * UNIT;
+    let along = way.dot(dir);
+    if along.abs() > ROUNDINGS * way.abs().dot(dir.abs()) + UNDERFLOW {
+        return along > 0.0;
+    }
+    let along = exact();
+    Decisions::note(along.sign() == Sign::Zero);
+    along.sign() == Sign::Positive
 }
 
 #[cfg(test)]

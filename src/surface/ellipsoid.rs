@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::chord::{Chord, Quadratic};
+use super::chord::{Chord, Quadratic, is_beyond};
 use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
@@ -157,7 +157,9 @@ impl Ellipsoid {
 impl Surface for Ellipsoid {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         // In the space where the ellipsoid is the unit sphere.
-        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let (t, error) = self
+            .entry(ray)
+            .filter(|(t, error)| span.admits(*t, *error))?;
         let on_sphere = direction(self.shrunk(ray.origin.from(self.center) + ray.dir * t));
         let point = Point {
             anchor: self.center,
@@ -222,11 +224,15 @@ impl Surface for Ellipsoid {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
-        let beyond = || {
-            self.shrunk(segment.end - self.center)
-                .dot(self.shrunk(segment.ray.dir))
+        let (way, dir) = (segment.end - self.center, segment.ray.dir);
+        let exact = || {
+            let stretch = ExactVector::from(self.axes).products_of_others();
+            let way = Point::exact(segment.end).exactly_from(self.center);
+            let dir = ExactVector::from(dir).scaled(&stretch);
+            way.scaled(&stretch).dot(&dir)
         };
-        (end == Side::Back || beyond() > 0.0) && segment.span.contains(t)
+        let beyond = || is_beyond(self.shrunk(way), self.shrunk(dir), exact);
+        (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
     fn texel(&self, hit: &Hit) -> Rgb {

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::chord::{Chord, Quadratic};
+use super::chord::{Chord, Quadratic, is_beyond};
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
@@ -107,7 +107,9 @@ impl Sphere {
 
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let (t, error) = self.entry(ray).filter(|(t, _)| span.contains(*t))?;
+        let (t, error) = self
+            .entry(ray)
+            .filter(|(t, error)| span.admits(*t, *error))?;
         let normal = direction(ray.origin.from(self.center) + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
         let point = Point {
@@ -176,7 +178,12 @@ impl Surface for Sphere {
         };
         // The line is nearest to the centre inside, so an end outside lies before or beyond that
         // place together with the whole sphere.
-        let beyond = || (segment.end - self.center).dot(segment.ray.dir) > 0.0;
+        let dir = segment.ray.dir;
+        let exact = || {
+            let way = Point::exact(segment.end).exactly_from(self.center);
+            way.dot(&dir.into())
+        };
+        let beyond = || is_beyond(segment.end - self.center, dir, exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

@@ -77,7 +77,7 @@ impl Triangle {
                 Line::between(c, b),
                 Line::between(a, c),
             ],
-            slack: 0.0,
+            slack: UNDERFLOW,
         })
     }
 
@@ -88,6 +88,10 @@ impl Triangle {
     /// the distance of the crossing from the edge times `n·d` and the edge's length.
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
+        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
+        if crossing.at_start.is_some() {
+            return exactly();
+        }
         let mut certain = true;
         for (vertex, edge) in self.vertices.into_iter().zip(self.edges) {
             let (origin, size) = ray.origin.seen_from(vertex);
@@ -98,8 +102,7 @@ impl Triangle {
             }
             certain &= side > doubt;
         }
-        if certain {}
-        certain || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing.rises)
+        certain || exactly()
     }
 }
 
@@ -109,11 +112,15 @@ impl Surface for Triangle {
         if crossing.is_beyond(span) || !self.contains_line(ray, &crossing) {
             return None;
         }
-        let t = Some(crossing.distance()).filter(|t| span.contains(*t))?;
+        let t = crossing.distance();
+        let error = crossing.error(t);
+        if !span.admits(t, error) {
+            return None;
+        }
         let point = self.flat.foot(ray, t);
         Some(Hit {
             t,
-            error: crossing.error(t),
+            error,
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
@@ -183,8 +190,7 @@ impl Surface for Triangle {
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
-            self.contains_line(&segment.ray, &crossing)
-                && segment.span.contains(crossing.distance())
+            self.contains_line(&segment.ray, &crossing) && segment.holds(&crossing)
         })
     }
 }

@@ -171,7 +171,7 @@ pub(crate) fn code(intensity: f64) -> u16 {
 impl Stage {
     /// The surface that a ray meets first.
     pub(crate) fn first(&self, ray: &Ray<'static>) -> Option<Met> {
-        let (entry, hit) = self.list.nearest(ray, Span::AHEAD)?;
+        let (entry, hit) = self.list.nearest(ray, Span::AHEAD, &mut 0)?;
         Some(Met {
             surface: entry.surface,
             sheet: entry.sheet(),

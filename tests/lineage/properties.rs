@@ -76,10 +76,10 @@ proptest! {
     ) {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
-        let Some((left, hit)) = list.nearest(&ray, Span::AHEAD) else { return Ok(()) };
+        let Some((left, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else { return Ok(()) };
         let departure = Departure::new(left.sheet(), &ray, hit.point, hit.error);
         let onward = Ray::leaving(&departure, unit(onward).unwrap());
-        if let Some((met, _)) = list.nearest(&onward, Span::AHEAD) {
+        if let Some((met, _)) = list.nearest(&onward, Span::AHEAD, &mut 0) {
             prop_assert_ne!(met.support, left.support);
             prop_assert_ne!(met.index, left.index);
             if let (Some(a), Some(b)) = (met.surface.flat(), left.surface.flat()) {
@@ -95,7 +95,7 @@ proptest! {
         let ray = ray(origin.into(), dir.into());
         let all = SURFACES.iter().filter_map(|surface| surface.hits(&ray, Span::AHEAD));
         let smallest = all.map(|hit| hit.t).reduce(f64::min);
-        let nearest = list.nearest(&ray, Span::AHEAD).map(|(_, hit)| hit.t);
+        let nearest = list.nearest(&ray, Span::AHEAD, &mut 0).map(|(_, hit)| hit.t);
         match (nearest, smallest) {
             // Of surfaces in one plane the first is taken, though rounding may put it behind.
             (Some(nearest), Some(smallest)) => {
@@ -149,7 +149,7 @@ proptest! {
         prop_assert_eq!(sheets[0], sheets[2]);
         prop_assert_ne!(sheets[0], sheets[3]);
         let ray = ray((corner + normal * 0.3).into(), dir.into());
-        if let Some((seen, ..)) = SurfaceList::new(&surfaces).nearest(&ray, Span::AHEAD) {
+        if let Some((seen, ..)) = SurfaceList::new(&surfaces).nearest(&ray, Span::AHEAD, &mut 0) {
             prop_assert!(!std::ptr::addr_eq(seen, &*surfaces[1]));
             prop_assert!(!std::ptr::addr_eq(seen, &*surfaces[2]));
         }

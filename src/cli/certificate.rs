@@ -1,0 +1,110 @@
+//! What `render --certify` prints.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::film::Film;
+use crate::math::Numerics;
+use crate::render::Certificate;
+use crate::scene::Scene;
+use crate::surface::Welded;
+
+/// How right a picture is, in numbers.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    numerics: &'static str,
+    /// Surface tests: does this ray meet it, does it hide the light.
+    decisions: u64,
+    by_filter: u64,
+    exactly: u64,
+    by_rule: u64,
+    shared_planes: usize,
+    shared_lines: usize,
+    /// The largest distance between what was welded, in world units.
+    largest_weld: f64,
+    /// In world units.
+    largest_error: f64,
+    /// In world units.
+    largest_bounced_error: f64,
+    non_finite_pixels: usize,
+    picture_hash: String,
+    #[serde(skip)]
+    robust: bool,
+}
+
+pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> Report {
+    let Certificate {
+        counts,
+        largest_error,
+        largest_bounced_error,
+    } = *certificate;
+    let decisions = counts.hit_tests + counts.occlusion_tests;
+    let taken = counts.decisions;
+    let welds = |what| scene.welds.iter().filter(|weld| weld.what == what).count();
+    let distances = scene.welds.iter().map(|weld| weld.distance);
+    Report {
+        numerics: scene.picture.numerics.word(),
+        decisions,
+        by_filter: decisions.saturating_sub(taken.exactly + taken.by_rule),
+        exactly: taken.exactly,
+        by_rule: taken.by_rule,
+        shared_planes: welds(Welded::Plane),
+        shared_lines: welds(Welded::Line),
+        largest_weld: distances.fold(0.0, f64::max),
+        largest_error,
+        largest_bounced_error,
+        non_finite_pixels: film.non_finite().count(),
+        picture_hash: film.hash(),
+        robust: scene.picture.numerics == Numerics::Robust,
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.robust {
+            writeln!(
+                out,
+                "certificate\n  \
+                 surface tests       {}: {} by rounded values with proven bounds, {} exactly, {} by rule\n  \
+                 welded              {} shared planes, {} shared lines, {} apart at most\n  \
+                 error of a hit      {} at most, in world units\n  \
+                 error after mirrors {}, an estimate",
+                self.decisions,
+                self.by_filter,
+                self.exactly,
+                self.by_rule,
+                self.shared_planes,
+                self.shared_lines,
+                Short(self.largest_weld),
+                Short(self.largest_error),
+                Short(self.largest_bounced_error),
+            )?;
+        } else {
+            writeln!(
+                out,
+                "certificate\n  \
+                 surface tests       {} by rounded values without bounds ({})",
+                self.decisions, self.numerics,
+            )?;
+        }
+        writeln!(
+            out,
+            "  not finite          {} pixels\n  picture             {}",
+            self.non_finite_pixels, self.picture_hash,
+        )
+    }
+}
+
+/// A number of which only the magnitude matters.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 == 0.0 {
+            out.write_str("0")
+        } else {
+            write!(out, "{:.1e}", self.0)
+        }
+    }
+}

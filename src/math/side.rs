@@ -1,0 +1,36 @@
+//! The two sides of a surface.
+
+use super::exact::Sign;
+
+/// The side of a surface that a point is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Where the normal points: the side that is lit.
+    Front,
+    /// Exactly on the surface.
+    On,
+    /// Behind, or inside of a closed surface.
+    Back,
+}
+
+impl Side {
+    /// The side that the sign of a height above a surface stands for.
+    #[must_use]
+    pub fn of(height: Sign) -> Self {
+        match height {
+            Sign::Negative => Self::Back,
+            Sign::Zero => Self::On,
+            Sign::Positive => Self::Front,
+        }
+    }
+
+    /// The other side; there is none of what lies on the surface.
+    #[must_use]
+    pub fn opposite(self) -> Option<Self> {
+        match self {
+            Self::Front => Some(Self::Back),
+            Self::On => None,
+            Self::Back => Some(Self::Front),
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! `render --certify`, and what `check` tells of shared planes and lines.
+
+use super::shell::Shell;
+
+/// Two tiles that share an edge at 0.1 + 0.2 = 0.3, seen through the joint.
+const TILES: &str = r#"
+    image 5 3
+    camera { viewpoint 0.3 0 1; look-at 0.3 0 0 }
+    material "left" { ambient 1 }
+    material "right" { ambient 0 1 0 }
+    finite-plane "left" {
+        material "left"; point 0.1 -1 0; normal 0 0 1; xdir 1 0 0; dimensions 0.2 2 }
+    finite-plane "right" {
+        material "right"; point 0.3 -1 0; normal 0 0 1; xdir 1 0 0; dimensions 0.2 2 }"#;
+
+#[test]
+fn a_certificate_says_how_hits_were_decided() {
+    let shell = Shell::new();
+    shell.write("tiles.kdl", TILES);
+    let run = shell
+        .run(&["render", "tiles.kdl", "--certify"])
+        .ends_with(0);
+    let said = run.stdout_text();
+    for line in [
+        // Fifteen rays, two tiles; the middle column of three meets the joint, and each tile asks.
+        "  surface tests       30: 24 by rounded values with proven bounds, 0 exactly, 6 by rule\n",
+        "  welded              1 shared planes, 1 shared lines, 0 apart at most\n",
+        "  error after mirrors 0, an estimate\n",
+        "  not finite          0 pixels\n",
+    ] {
+        assert!(said.contains(line), "{said}");
+    }
+}
+
+#[test]
+fn a_certificate_in_json_is_the_same_on_any_number_of_threads() {
+    let shell = Shell::new();
+    shell.write("tiles.kdl", TILES);
+    let certificate = |threads: &str| {
+        let arguments = [
+            "render",
+            "tiles.kdl",
+            "--certify",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        let run = shell.run(&arguments).ends_with(0);
+        let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+        answer["certificate"].clone()
+    };
+    let one = certificate("1");
+    assert_eq!(one["by_rule"], 6);
+    assert_eq!(one["non_finite_pixels"], 0);
+    assert_eq!(one["numerics"], "robust");
+    assert_eq!(one, certificate("3"));
+}
+
+#[test]
+fn classic_numerics_certify_nothing_but_that_all_is_finite() {
+    let shell = Shell::new();
+    shell.write("tiles.kdl", TILES);
+    let arguments = ["render", "tiles.kdl", "--certify", "--numerics", "classic"];
+    let run = shell.run(&arguments).ends_with(0);
+    let said = run.stdout_text();
+    assert!(
+        said.contains("30 by rounded values without bounds (classic)"),
+        "{said}"
+    );
+    assert!(!said.contains("error of a hit"), "{said}");
+}
+
+#[test]
+fn check_tells_what_is_shared() {
+    let shell = Shell::new();
+    shell.write("tiles.kdl", TILES);
+    let run = shell.run(&["check", "tiles.kdl"]).ends_with(0);
+    assert_eq!(
+        run.stdout_text(),
+        "tiles.kdl: ok\n  surfaces share 1 planes and 1 border lines\n"
+    );
+    let run = shell.run(&["check", "tiles.kdl", "--verbose"]).ends_with(0);
+    assert_eq!(
+        run.stdout_text(),
+        "tiles.kdl: ok\n  surfaces share 1 planes and 1 border lines\n  \
+         one plane: finite-plane \"left\", finite-plane \"right\"\n  \
+         one line: finite-plane \"left\", finite-plane \"right\"\n"
+    );
+}
+
+/// The corner of a slanting tile is irrational, so whoever writes it rounds it.
+#[test]
+fn check_tells_what_was_moved_to_be_shared() {
+    let shell = Shell::new();
+    let slanting = TILES
+        .replace("xdir 1 0 0", "xdir 1 1 0")
+        .replace("point 0.1 -1 0", "point 0 0 0")
+        .replace(
+            "point 0.3 -1 0",
+            "point 0.1414213562373095 0.1414213562373095 0",
+        );
+    shell.write("slanting.kdl", &slanting);
+    let run = shell.run(&["check", "slanting.kdl"]).ends_with(0);
+    let said = run.stdout_text();
+    assert!(said.contains("  one line, though "), "{said}");
+    let run = shell.run(&["check", "slanting.kdl", "--json"]).ends_with(0);
+    let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+    let welds = answer["welds"].as_array().expect("a list");
+    let line = welds
+        .iter()
+        .find(|weld| weld["what"] == "line")
+        .expect("a line");
+    let apart = line["apart"].as_f64().expect("a number");
+    assert!(apart > 0.0 && apart < 1e-15, "{apart}");
+}

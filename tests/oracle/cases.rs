@@ -1,0 +1,221 @@
+//! Surfaces, and rays that are aimed at them.
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+use heliodon::material::Material;
+use heliodon::math::{Point, Ray, Rgb, unit};
+use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle};
+
+use super::random::{Random, Style};
+use super::rational::{Vector, number};
+
+pub(crate) type Boxed = Box<dyn Surface>;
+
+/// What surfaces of the cases have in common: nothing of interest.
+pub(crate) fn common() -> Common {
+    let material = Material {
+        name: "gray".to_owned(),
+        ambient: Rgb::WHITE,
+        diffuse: Rgb::WHITE,
+        specular: Rgb::WHITE,
+        shininess: 0.0,
+        transparency: 0.5,
+    };
+    Common::new(Arc::new(material))
+}
+
+/// An unbounded plane.
+pub(crate) fn plane(random: &mut Random, style: Style, scale: f64) -> Boxed {
+    let (point, normal) = (random.vector(style) * scale, random.way(style));
+    Box::new(Plane::new(common(), point, normal).expect("a normal that is not zero"))
+}
+
+/// A rectangle with sides along whole numbers, or in any direction.
+pub(crate) fn rectangle(random: &mut Random, style: Style, scale: f64) -> Boxed {
+    loop {
+        let [corner, normal, xdir] = [0; 3].map(|_| random.way(style));
+        let size = random.vector(style).truncate().abs() + DVec2::splat(random.power(-3, 1));
+        let made = FinitePlane::new(common(), corner * scale, normal, xdir, size * scale);
+        if let Ok(made) = made {
+            return Box::new(made);
+        }
+    }
+}
+
+/// A triangle; slivers too.
+pub(crate) fn triangle(random: &mut Random, style: Style, scale: f64) -> Boxed {
+    loop {
+        let mut vertices = [0; 3].map(|_| random.vector(style) * scale);
+        if random.once_in(8) {
+            let middle = (vertices[0] + vertices[1]) / 2.0;
+            vertices[2] = random.nudged(middle, 3);
+        }
+        if let Ok(made) = Triangle::new(common(), vertices) {
+            return Box::new(made);
+        }
+    }
+}
+
+/// A sphere or an ellipsoid with axes up to 2²⁰ times as long as others.
+pub(crate) fn round(random: &mut Random, style: Style, scale: f64) -> Boxed {
+    let center = random.vector(style) * scale;
+    let radius = (random.number(style).abs() + random.power(-3, 1)) * scale;
+    if random.once_in(2) {
+        return Box::new(Sphere::new(common(), center, radius, None).expect("a radius above zero"));
+    }
+    let factors = [0; 3].map(|_| random.power(-10, 10) * (1.0 + random.pick(&[0.0, 0.1, 0.7])));
+    let made = Ellipsoid::new(common(), center, radius, factors.into(), None);
+    Box::new(made.expect("axes above zero"))
+}
+
+pub(crate) fn surface(random: &mut Random, style: Style, scale: f64) -> Boxed {
+    let make = random.pick(&[plane, rectangle, triangle, round]);
+    make(random, style, scale)
+}
+
+/// Mostly 1; now and then at the ends of the range that scenes may have.
+pub(crate) fn scale(random: &mut Random) -> f64 {
+    if random.once_in(4) {
+        random.power(-150, 150)
+    } else {
+        1.0
+    }
+}
+
+/// A place of interest on a surface: on an edge, in a corner, at the rim as seen from `eye`.
+fn feature(random: &mut Random, surface: &dyn Surface, eye: DVec3) -> DVec3 {
+    if let Some([center, axes]) = surface.round() {
+        return rim(random, center, axes, eye);
+    }
+    let corners = surface.outline();
+    let Some(first) = corners.first() else {
+        let flat = surface.flat().expect("a flat surface");
+        let way = random.cube();
+        return flat.point + (way - flat.normal * flat.normal.dot(way));
+    };
+    // From one corner towards the next, and from there into the inside.
+    let index = random.below(u32::try_from(corners.len()).unwrap_or(1)) as usize;
+    let (from, to) = (corners[index], corners[(index + 1) % corners.len()]);
+    let along = match random.below(4) {
+        0 => 0.0,
+        1 => 0.5,
+        _ => random.share(),
+    };
+    let inward = if random.once_in(2) {
+        0.0
+    } else {
+        random.share()
+    };
+    let (from, to) = (Vector::of(from), Vector::of(to));
+    let place = from.plus(&to.minus(&from).times(&number(along)));
+    place
+        .plus(&Vector::of(*first).minus(&place).times(&number(inward)))
+        .rounded()
+}
+
+/// A place where a line from `eye` touches a round surface.
+fn rim(random: &mut Random, center: DVec3, axes: DVec3, eye: DVec3) -> DVec3 {
+    let from = (eye - center) / axes;
+    let far = from.length();
+    let around = from.cross(random.cube());
+    let (Some(towards), Some(around)) = (unit(from), unit(around)) else {
+        return center + axes * random.cube();
+    };
+    // The touching points form a circle whose plane is 1/far from the centre.
+    let near = (1.0 / far).min(1.0);
+    let place = towards * near + around * (1.0 - near * near).sqrt();
+    center + axes * place
+}
+
+/// A ray: of any kind, at a feature of a surface, or a few roundings beside one.
+///
+/// Half of those at a feature start just so far before it that their line passes through a
+/// corner or the centre without any rounding.
+pub(crate) fn ray(
+    random: &mut Random,
+    surface: &dyn Surface,
+    style: Style,
+    scale: f64,
+) -> (Ray<'static>, bool) {
+    let start = random.point(style);
+    let mut origin = Point {
+        anchor: start.anchor * scale,
+        offset: start.offset * scale,
+    };
+    let mut dir = random.direction(style);
+    if random.once_in(4) {
+        return (Ray::new(origin, dir), false);
+    }
+    if let Some(flat) = surface.flat()
+        && random.once_in(3)
+    {
+        // Along the plane, but for rounding; the longer the step, the more it is.
+        let along = dir - flat.normal * flat.normal.dot(dir);
+        let tilt = flat.normal * (random.signed() * random.power(-60, -1));
+        dir = unit(along + tilt).unwrap_or(dir);
+    }
+    if random.once_in(3) {
+        // Exactly through a corner, or exactly from the plane.
+        let corner = surface.outline().first().copied();
+        let from = surface.flat().map(|flat| flat.point);
+        let anchor = corner.or(from).unwrap_or(origin.anchor);
+        let back = dir * (scale * random.power(-4, 12));
+        origin = Point {
+            anchor,
+            offset: if random.once_in(4) {
+                DVec3::ZERO
+            } else {
+                -back
+            },
+        };
+    } else {
+        let place = feature(random, surface, origin.world());
+        let way = Vector::of(place).minus(&Vector::to(&origin)).rounded();
+        dir = unit(way).unwrap_or(dir);
+    }
+    dir = random.nudged(dir, 3);
+    if random.once_in(4) {
+        origin.anchor = random.nudged(origin.anchor, 3);
+    }
+    (Ray::new(origin, dir), true)
+}
+
+/// A sphere or an ellipsoid as far away as 10¹⁰ of its radii and with axes up to 10⁶ times as long
+/// as others, and a ray that nearly touches it, or is exactly so far beside that only rounding
+/// tells.
+pub(crate) fn far_and_round(random: &mut Random) -> (Boxed, Ray<'static>) {
+    let center = random.cube() * random.power(-10, 10);
+    let far = random.power(0, 33) * (1.0 + 0.16 * random.share());
+    let radius = random.power(-20, 20);
+    let factors = if random.once_in(2) {
+        DVec3::ONE
+    } else {
+        [0; 3]
+            .map(|_| random.power(-9, 9) * (1.0 + random.share()))
+            .into()
+    };
+    let made = Ellipsoid::new(common(), center, radius, factors, None).expect("axes above zero");
+    let surface: Boxed = if factors == DVec3::ONE {
+        Box::new(Sphere::new(common(), center, radius, None).expect("a radius"))
+    } else {
+        Box::new(made)
+    };
+    let axes = factors * radius;
+    let from = unit(random.cube()).unwrap_or(DVec3::X) * axes.max_element() * (1.0 + far);
+    let origin = if random.once_in(2) {
+        Point {
+            anchor: center,
+            offset: from,
+        }
+    } else {
+        Point::exact(center + from)
+    };
+    let touched = rim(random, center, axes, center + from);
+    let beside = axes * random.cube() * random.power(-54, 0);
+    let way = Vector::of(touched + beside)
+        .minus(&Vector::to(&origin))
+        .rounded();
+    let dir = random.nudged(unit(way).unwrap_or(DVec3::X), 3);
+    (surface, Ray::new(origin, dir))
+}
