@@ -121,6 +121,7 @@ fn the_scan_knows_small_numbers_in_any_dress() {
         "x < 1e-30 // it's \"nothing\"",
         "let a: &'static str = \"\"; let b = 1e-9;",
         "let c = '\"'; let d = 1e-9;",
+        "let c = ['\\'', '\\\\', '\"']; let d = 1e-9;",
     ] {
         assert_eq!(small_numbers(small).len(), 1, "{small}");
     }
@@ -225,8 +226,10 @@ fn code_of(source: &str) -> String {
             length.map_or(start, |length| start + length + end.len())
         } else if first == '"' {
             end_of_text(rest)
-        } else if rest.starts_with("'\\") {
-            rest[2..].find('\'').map_or(2, |end| end + 3)
+        } else if let Some(escaped) = rest.strip_prefix("'\\") {
+            // What is escaped may be the quote itself.
+            let end = escaped.char_indices().skip(1).find(|(_, c)| *c == '\'');
+            end.map_or(2, |(end, _)| end + 3)
         } else if first == '\'' && rest.chars().nth(2) == Some('\'') {
             rest.char_indices()
                 .nth(3)
