@@ -2,9 +2,11 @@
 
 mod receivers;
 mod shadows;
+mod sight;
 mod supports;
 
 pub use shadows::LightView;
+pub use sight::Sight;
 pub use supports::supports;
 
 use std::cmp::Ordering;
@@ -76,26 +78,35 @@ impl<'a> SurfaceList<'a> {
     /// that are asked.
     #[must_use]
     pub fn nearest(&self, ray: &Ray, span: Span, tests: &mut u64) -> Option<(&Entry<'a>, Hit)> {
-        let mut best: Option<(&Entry<'a>, Hit)> = None;
-        let mut span = span;
-        let left = ray.leaves();
-        for entry in &self.entries {
-            if entry.lies_on(left) {
-                continue;
-            }
-            *tests += 1;
-            let Some(hit) = entry.surface.hits(ray, span) else {
-                continue;
-            };
-            if best.is_some_and(|(first, first_hit)| !entry.is_before(&hit, first, &first_hit, ray))
-            {
-                continue;
-            }
-            span = span.until(hit.t + hit.error);
-            best = Some((entry, hit));
-        }
-        best.map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
+        nearest(self.entries.iter(), ray, span, tests)
     }
+}
+
+/// The one of some surfaces, in file order, that a ray meets first.
+#[inline]
+fn nearest<'e, 'a>(
+    entries: impl Iterator<Item = &'e Entry<'a>>,
+    ray: &Ray,
+    mut span: Span,
+    tests: &mut u64,
+) -> Option<(&'e Entry<'a>, Hit)> {
+    let mut best: Option<(&Entry<'a>, Hit)> = None;
+    let left = ray.leaves();
+    for entry in entries {
+        if entry.lies_on(left) {
+            continue;
+        }
+        *tests += 1;
+        let Some(hit) = entry.surface.hits(ray, span) else {
+            continue;
+        };
+        if best.is_some_and(|(first, first_hit)| !entry.is_before(&hit, first, &first_hit, ray)) {
+            continue;
+        }
+        span = span.until(hit.t + hit.error);
+        best = Some((entry, hit));
+    }
+    best.map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
 }
 
 impl<'a> Entry<'a> {

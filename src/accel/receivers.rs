@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::Entry;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
-use crate::math::{Flat, Point, Side, Support};
+use crate::math::{Bounds, Flat, Point, Side, Support};
 
 /// A surface as the side of others that light comes from, and that shadows fall on.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl Body {
             return false;
         }
         let Some(flat) = &self.flat else {
-            return true;
+            return !self.cone_passes_by(light, from);
         };
         // A plane hides nothing from a light in it.
         side.opposite()
@@ -62,6 +62,34 @@ impl Body {
             (None, Some(own)) => !own.is_parallel(flat) || own.lies_on(flat, side),
             (None, None) => true,
         }
+    }
+
+    /// Whether another surface certainly lies outside of the cone from a light around this one.
+    fn cone_passes_by(&self, light: DVec3, other: &Self) -> bool {
+        // 2⁻²⁰ rad: far more than the angles below can be off by, and nothing to speak of in a
+        // scene. Smaller, and rounding could take a shadow away; larger, and more is tested in vain.
+        const MARGIN: f64 = 1.0 / 1_048_576.0;
+        let (Some((center, radius)), Some((place, reach))) = (self.ball(), other.ball()) else {
+            return false;
+        };
+        let (to_center, to_place) = (center - light, place - light);
+        let (near, far) = (to_center.length(), to_place.length());
+        let size = [center, place, light].map(|point| Point::exact(point).size());
+        let blur = 64.0 * UNIT * size.iter().sum::<f64>();
+        if !(radius < near && reach < far && blur < MARGIN * near.min(far)) {
+            return false;
+        }
+        let cosine = (to_center.dot(to_place) / (near * far)).clamp(-1.0, 1.0);
+        let apart = libm::acos(cosine) - libm::asin(radius / near) - libm::asin(reach / far);
+        apart > MARGIN
+    }
+
+    /// A ball around it, if it has an end.
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        let hull = self.hull.as_ref()?;
+        let bounds = Bounds::around(hull.iter().map(|(_, rounded)| *rounded));
+        let center = bounds.min.midpoint(bounds.max);
+        Some((center, (bounds.max - center).length()))
     }
 
     /// Whether another surface is certainly on the outer side of one of the planes through a

@@ -1,8 +1,10 @@
 //! From pixels to rays.
 
 mod view;
+mod window;
 
 pub use view::{View, WindowOrigin};
+pub use window::Window;
 
 use glam::DVec3;
 

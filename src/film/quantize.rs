@@ -26,15 +26,18 @@ impl Rounding {
             reason = "casts from float saturate; NaN is 0"
         )]
         let code = (raised as u16).min(largest);
-        match self {
-            // The product was rounded, so exactly the intensity may be on the code's other side.
-            Self::Nearest if code > 0 && !reaches(intensity, code, largest) => code - 1,
-            Self::Nearest
-                if intensity > 0.0 && code < largest && reaches(intensity, code + 1, largest) =>
-            {
-                code + 1
-            }
-            _ => code,
+        // Two roundings of at most a code's 2⁻³⁷th: only next to a threshold is there any doubt.
+        const CLOSE: f64 = 1.0 / 137_438_953_472.0;
+        let into = raised - f64::from(code);
+        if self == Self::Truncate || into > CLOSE && into < 1.0 - CLOSE || intensity <= 0.0 {
+            return code;
+        }
+        if code > 0 && !reaches(intensity, code, largest) {
+            code - 1
+        } else if code < largest && reaches(intensity, code + 1, largest) {
+            code + 1
+        } else {
+            code
         }
     }
 }

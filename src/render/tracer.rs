@@ -1,6 +1,6 @@
 //! The colour along one ray.
 
-use crate::accel::{Entry, LightView, SurfaceList};
+use crate::accel::{Entry, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::light::Light;
@@ -22,6 +22,8 @@ pub struct Tracer<'a> {
     scene: &'a Scene,
     camera: Camera,
     surfaces: SurfaceList<'a>,
+    /// What the camera sees where; `None` if the numerics cannot prove that it does not see more.
+    sight: Option<Sight<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     light_views: Vec<LightView<'a>>,
 }
@@ -55,9 +57,11 @@ impl<'a> Tracer<'a> {
             Some(classic) => SurfaceList::without_sheets(classic),
         };
         let lights = scene.lights.iter().map(|light| light.location);
+        let sight = classic.is_none().then(|| Sight::new(&surfaces, &camera));
         Ok(Self {
             scene,
             camera,
+            sight,
             light_views: LightView::all(&surfaces, lights),
             surfaces,
         })
@@ -72,7 +76,14 @@ impl<'a> Tracer<'a> {
             weight: 1.0,
             errors: Errors::default(),
         };
-        let color = self.trace(&self.camera.ray(x, y), &path, &mut bounces, probe);
+        let (ray, mut tests) = (self.camera.ray(x, y), 0);
+        let span = self.camera.span(&ray);
+        let met = match &self.sight {
+            Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
+            None => self.surfaces.nearest(&ray, span, &mut tests),
+        };
+        probe.hit_tests(tests);
+        let color = self.color_of(met, &ray, &path, &mut bounces, probe);
         // Adding zero turns −0 into +0, which is the same colour.
         color + Rgb::BLACK
     }
@@ -80,10 +91,21 @@ impl<'a> Tracer<'a> {
     /// The colour that comes back along a ray; black where there is nothing.
     fn trace(&self, ray: &Ray, path: &Path, bounces: &mut u32, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
-        let met = self
-            .surfaces
-            .nearest(ray, self.camera.span(ray), &mut tests);
+        let span = self.camera.span(ray);
+        let met = self.surfaces.nearest(ray, span, &mut tests);
         probe.hit_tests(tests);
+        self.color_of(met, ray, path, bounces, probe)
+    }
+
+    /// The colour that comes back along a ray from what it met.
+    fn color_of(
+        &self,
+        met: Option<(&Entry<'a>, Hit)>,
+        ray: &Ray,
+        path: &Path,
+        bounces: &mut u32,
+        probe: &mut impl Probe,
+    ) -> Rgb {
         let Some((entry, hit)) = met else {
             return Rgb::BLACK;
         };

@@ -171,6 +171,7 @@ impl Surface for Ellipsoid {
             point,
             normal: direction(on_sphere * self.shrink),
             uv: DVec2::ZERO,
+            texel: Rgb::WHITE,
         })
     }
 
@@ -235,10 +236,12 @@ impl Surface for Ellipsoid {
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
-    fn texel(&self, hit: &Hit) -> Rgb {
+    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
         let Some(image) = &self.image else {
-            return Rgb::WHITE;
+            return hit;
         };
-        globe::texel(image, direction(self.on_unit_sphere(&hit.point)))
+        let on_sphere = direction(self.on_unit_sphere(&hit.point));
+        let texel = globe::texel(image, on_sphere);
+        Hit { texel, ..hit }
     }
 }

@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
+use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
 #[derive(Debug, Clone)]
@@ -105,6 +105,7 @@ impl Surface for FinitePlane {
             point,
             normal: self.rectangle.flat.normal,
             uv,
+            texel: Rgb::WHITE,
         })
     }
 

@@ -126,34 +126,29 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// Takes over the plane and the border lines that a flat surface shares with others.
     fn weld(&mut self, _plane: &Flat, _borders: &[Option<Line>]) {}
 
-    /// The hit of a ray that is seen, moved by a rounding at most so that it lies on the texel or
-    /// tile that the ray meets exactly.
+    /// The hit of a ray that is seen, completed with the colour of the surface's texture, and moved
+    /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
     fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
         hit
-    }
-
-    /// The colour of the surface's texture at a hit; white without one.
-    fn texel(&self, _hit: &Hit) -> Rgb {
-        Rgb::WHITE
     }
 
     /// The ambient reflectivity at a hit.
     #[doc(alias = "ambient")]
     fn getamb(&self, hit: &Hit) -> Rgb {
-        self.common().material.ambient * self.texel(hit)
+        self.common().material.ambient * hit.texel
     }
 
     /// The diffuse reflectivity at a hit.
     #[doc(alias = "diffuse")]
     fn getdiff(&self, hit: &Hit) -> Rgb {
-        self.common().material.diffuse * self.texel(hit)
+        self.common().material.diffuse * hit.texel
     }
 
     /// The share of light that goes straight through at a hit, with its colour.
     #[doc(alias = "transmittance")]
     fn transmits(&self, hit: &Hit) -> Rgb {
         let material = &self.common().material;
-        material.filter() * material.transparency * self.texel(hit)
+        material.filter() * material.transparency * hit.texel
     }
 }
 
@@ -171,4 +166,7 @@ pub struct Hit {
     /// The surface's own coordinates: on a rectangle the chapter's `lasthit`, the offset from its
     /// corner along x and y in world units; zero on surfaces without such coordinates.
     pub uv: DVec2,
+    /// The colour of the surface's texture, once the hit is [settled](Surface::settle); white
+    /// before, and without a texture.
+    pub texel: Rgb,
 }

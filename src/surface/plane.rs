@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::exact::Distance;
-use crate::math::{Blueprint, Flat, Line, Ray, Segment, Side, Span};
+use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane; the chapter's `plane_t`.
 #[derive(Debug, Clone)]
@@ -94,6 +94,7 @@ impl Surface for Plane {
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
+            texel: Rgb::WHITE,
         })
     }
 

@@ -122,6 +122,7 @@ impl Surface for Sphere {
             point,
             normal,
             uv: DVec2::ZERO,
+            texel: Rgb::WHITE,
         })
     }
 
@@ -187,9 +188,9 @@ impl Surface for Sphere {
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
-    fn texel(&self, hit: &Hit) -> Rgb {
-        self.image
-            .as_ref()
-            .map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal))
+    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
+        let image = self.image.as_ref();
+        let texel = image.map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal));
+        Hit { texel, ..hit }
     }
 }

@@ -18,7 +18,7 @@ use glam::DVec3;
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
+use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
 use crate::texture::{TextureMap, Wrap};
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
@@ -154,11 +154,7 @@ impl Surface for TexturePlane {
         let Rectangle { flat, frame, .. } = self.plane.rectangle();
         let exact = || frame.exact_offset(flat, ray);
         // The offset has the same roundings as the distance, and half as many again.
-        let uv = self.image.settled(hit.uv, 3.0 * hit.error, exact);
-        Hit { uv, ..hit }
-    }
-
-    fn texel(&self, hit: &Hit) -> Rgb {
-        self.image.at(hit.uv)
+        let (uv, texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
+        Hit { uv, texel, ..hit }
     }
 }

@@ -17,7 +17,9 @@ use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
 use crate::math::band::{MOMENT, UNDERFLOW};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Crossing, Flat, Line, Point, Ray, Segment, Side, Span, inside_all};
+use crate::math::{
+    Blueprint, Crossing, Flat, Line, Point, Ray, Rgb, Segment, Side, Span, inside_all,
+};
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
 #[derive(Debug, Clone)]
@@ -124,6 +126,7 @@ impl Surface for Triangle {
             point,
             normal: self.flat.normal,
             uv: DVec2::ZERO,
+            texel: Rgb::WHITE,
         })
     }
 

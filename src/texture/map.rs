@@ -48,13 +48,41 @@ impl TextureMap {
     }
 
     /// The chapter's `texture_map`: the colour at an offset from the lower-left corner.
-    ///
-    /// Beyond 2⁵³ texels no double says which one it is, and the mean colour of all is seen.
     #[must_use]
     pub fn at(&self, offset: DVec2) -> Rgb {
+        let [x, y] = &self.grids;
+        self.texel([x.cell(offset.x), y.cell(offset.y)])
+    }
+
+    /// The offset and colour that a ray meets, if the offset is rounded: moved as little as possible
+    /// into the texel that the `exact` offset is in. `doubt` is how far at most it is from that.
+    #[must_use]
+    pub fn met(
+        &self,
+        offset: DVec2,
+        doubt: f64,
+        exact: impl Fn() -> Option<[RBig; 2]>,
+    ) -> (DVec2, Rgb) {
+        let [x, y] = &self.grids;
+        if let (Some(column), Some(row)) = (
+            x.certain_cell(offset.x, doubt),
+            y.certain_cell(offset.y, doubt),
+        ) {
+            return (offset, self.texel([column, row]));
+        }
+        let along = |axis: usize| exact().map_or(RBig::ZERO, |[x, y]| [x, y][axis].clone());
+        let offset = DVec2::new(
+            x.settled(offset.x, doubt, || along(0)),
+            y.settled(offset.y, doubt, || along(1)),
+        );
+        (offset, self.at(offset))
+    }
+
+    /// The colour of a texel counted from the lower-left one.
+    ///
+    /// Beyond 2⁵³ texels no double says which one it is, and the mean colour of all is seen.
+    fn texel(&self, [column, row]: [f64; 2]) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
-        let [across, up] = &self.grids;
-        let (column, row) = (across.cell(offset.x), up.cell(offset.y));
         if self.wrap == Wrap::Repeat && column.abs().max(row.abs()) >= Grid::MOST_CELLS {
             return self.texture.mean();
         }
@@ -62,23 +90,6 @@ impl TextureMap {
         // Images are stored from the top, offsets are counted from the bottom.
         let row = height - 1 - self.wrap.index(row, height);
         self.texture.texel(column, row)
-    }
-
-    /// An offset, moved as little as possible into the texel that it is in exactly; see
-    /// [`Grid::settled`].
-    #[must_use]
-    pub fn settled(
-        &self,
-        offset: DVec2,
-        doubt: f64,
-        exact: impl Fn() -> Option<[RBig; 2]>,
-    ) -> DVec2 {
-        let [x, y] = &self.grids;
-        let along = |axis: usize| exact().map_or(RBig::ZERO, |[x, y]| [x, y][axis].clone());
-        DVec2::new(
-            x.settled(offset.x, doubt, || along(0)),
-            y.settled(offset.y, doubt, || along(1)),
-        )
     }
 }
 

@@ -216,7 +216,7 @@ impl Met {
 
     /// Column and row of the texel, in the textures of the suite.
     pub(crate) fn texel(&self) -> [f64; 2] {
-        let [column, row, _] = self.surface.texel(&self.hit).channels();
+        let [column, row, _] = self.hit.texel.channels();
         [column, row].map(|channel| channel * 255.0)
     }
 

@@ -134,8 +134,8 @@ fn there_is_one_texel_function() {
     let material = Arc::clone(&wall.common().material);
     for x in 0..20u8 {
         let hit = hit(wall, [f64::from(x) / 2.0, 6.0, 0.0], [0.0, 0.0, -1.0]).unwrap();
-        assert_eq!(wall.getamb(&hit), material.ambient * wall.texel(&hit));
-        assert_eq!(wall.getdiff(&hit), material.diffuse * wall.texel(&hit));
+        assert_eq!(wall.getamb(&hit), material.ambient * hit.texel);
+        assert_eq!(wall.getdiff(&hit), material.diffuse * hit.texel);
     }
 }
 

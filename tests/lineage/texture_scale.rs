@@ -107,7 +107,7 @@ fn a_texel_is_a_pixel_of_the_screen() {
     let texel = |stage: Stage, x, y| {
         let scene = stage.scene();
         let plane = &*scene.surfaces[0];
-        plane.texel(&hit(plane, [x, y, 1.0], [0.0, 0.0, -1.0]).unwrap())
+        hit(plane, [x, y, 1.0], [0.0, 0.0, -1.0]).unwrap().texel
     };
     // Offset 1.5 is the second pixel of four over four units, the fourth of eight.
     assert_color(texel(stage(), 1.25, 0.25), [1.0, 1.0, 1.0]);

@@ -141,7 +141,9 @@ pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
 
 /// The first hit of a ray on a surface.
 pub(super) fn hit(surface: &dyn Surface, origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
-    surface.hits(&ray(origin, direction), Span::AHEAD)
+    let ray = ray(origin, direction);
+    let hit = surface.hits(&ray, Span::AHEAD)?;
+    Some(surface.settle(hit, &ray))
 }
 
 /// Compares with a colour computed on paper; a few roundings are allowed.

@@ -126,18 +126,19 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()
     }
 
-    fn texel(&self, hit: &Hit) -> Rgb {
-        match &self.paint {
-            Paint::Own(anchor) => self.surface.texel(&anchored(hit, *anchor)),
-            paint => paint.texel(hit),
-        }
+    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+        let texel = match &self.paint {
+            Paint::Own(anchor) => self.surface.settle(anchored(&hit, *anchor), ray).texel,
+            paint => paint.texel(&hit),
+        };
+        Hit { texel, ..hit }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {
         match &self.paint {
             Paint::Tiles(tiles) => tiles.material_at(hit, &self.common.material).ambient,
             Paint::Own(anchor) => self.surface.getamb(&anchored(hit, *anchor)),
-            paint => self.common.material.ambient * paint.texel(hit),
+            _ => self.common.material.ambient * hit.texel,
         }
     }
 
@@ -145,16 +146,16 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         match &self.paint {
             Paint::Tiles(tiles) => tiles.material_at(hit, &self.common.material).diffuse,
             Paint::Own(anchor) => self.surface.getdiff(&anchored(hit, *anchor)),
-            paint => self.common.material.diffuse * paint.texel(hit),
+            _ => self.common.material.diffuse * hit.texel,
         }
     }
 
     fn transmits(&self, hit: &Hit) -> Rgb {
         match &self.paint {
             Paint::Own(anchor) => self.surface.transmits(&anchored(hit, *anchor)),
-            paint => {
+            _ => {
                 let material = &self.common.material;
-                material.filter() * material.transparency * paint.texel(hit)
+                material.filter() * material.transparency * hit.texel
             }
         }
     }

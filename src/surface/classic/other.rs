@@ -45,8 +45,8 @@ impl<T: Scalar> Surface for Other<'_, T> {
         self.hits(&segment.ray, before).is_some()
     }
 
-    fn texel(&self, hit: &Hit) -> Rgb {
-        self.surface.texel(hit)
+    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+        self.surface.settle(hit, ray)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

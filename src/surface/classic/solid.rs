@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Scalar;
 use super::vector::{Line, Vector};
-use crate::math::Point;
+use crate::math::{Point, Rgb};
 use crate::surface::Hit;
 
 /// A shape that a ray can meet.
@@ -39,6 +39,7 @@ impl<T: Scalar> Meeting<T> {
             point: Point::exact(self.point.wide()),
             normal: self.normal.wide(),
             uv: DVec2::new(x.wide(), y.wide()),
+            texel: Rgb::WHITE,
         }
     }
 }

@@ -1,0 +1,46 @@
+//! Which surfaces the eye can see where.
+
+use super::{Entry, SurfaceList, nearest};
+use crate::camera::{Camera, Window};
+use crate::math::{Ray, Span};
+use crate::surface::Hit;
+
+/// The surfaces that a camera can see, each with the part of the picture in which it can appear.
+///
+/// A ray that passes outside of that part misses the surface for certain, so it need not be asked.
+#[derive(Debug)]
+pub struct Sight<'a> {
+    seen: Vec<(Window, Entry<'a>)>,
+}
+
+impl<'a> Sight<'a> {
+    /// What a camera sees of these surfaces.
+    #[must_use]
+    pub fn new(surfaces: &SurfaceList<'a>, camera: &Camera) -> Self {
+        let window = |entry: &Entry<'a>| match entry.surface.hull() {
+            Some(hull) => camera.window(hull.iter().map(|point| point.rounded())),
+            None => Some(Window::EVERYWHERE),
+        };
+        let seen = surfaces
+            .entries()
+            .iter()
+            .filter_map(|entry| Some((window(entry)?, *entry)));
+        Self {
+            seen: seen.collect(),
+        }
+    }
+
+    /// The surface that a ray from the eye through a place of the picture meets first; as
+    /// [`SurfaceList::nearest`].
+    #[must_use]
+    pub fn nearest(
+        &self,
+        [x, y]: [f64; 2],
+        ray: &Ray,
+        span: Span,
+        tests: &mut u64,
+    ) -> Option<(&Entry<'a>, Hit)> {
+        let here = self.seen.iter().filter(|(window, _)| window.contains(x, y));
+        nearest(here.map(|(_, entry)| entry), ray, span, tests)
+    }
+}
