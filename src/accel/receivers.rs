@@ -76,7 +76,9 @@ impl Body {
         let (near, far) = (to_center.length(), to_place.length());
         let size = [center, place, light].map(|point| Point::exact(point).size());
         let blur = 64.0 * UNIT * size.iter().sum::<f64>();
-        if !(radius < near && reach < far && blur < MARGIN * near.min(far)) {
+        // Next to a ball the angle changes fast, and rounding counts for more.
+        let clear = radius < 0.9 * near && reach < 0.9 * far;
+        if !(clear && blur < MARGIN / 16.0 * near.min(far)) {
             return false;
         }
         let cosine = (to_center.dot(to_place) / (near * far)).clamp(-1.0, 1.0);

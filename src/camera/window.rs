@@ -48,7 +48,7 @@ impl Camera {
             // What rounding the point and the eye can do to the image.
             let size = (point.abs() + self.viewpoint.abs()).element_sum() + way.length();
             let blur = 64.0 * UNIT * size * self.stretch() / depth.abs();
-            if !(blur < 0.25) {
+            if blur.is_nan() || blur > 0.25 {
                 return Some(Window::EVERYWHERE);
             }
             behind &= depth < 0.0;
