@@ -82,6 +82,9 @@ fn oracle(random: &mut Random) -> Tally {
         decisions::side(random, &mut tallies);
         decisions::nearest(random, &mut tallies);
         decisions::occlusion(random, &mut tallies);
+        if random.once_in(16) {
+            decisions::welded(random, &mut tallies);
+        }
     }
     let mut tally = tallies.random;
     tally += tallies.aimed;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 use heliodon::material::Material;
-use heliodon::math::{Point, Ray, Rgb, unit};
-use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle};
+use heliodon::math::{Frame, Point, Ray, Rgb, unit};
+use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle, weld};
 
 use super::random::{Random, Style};
 use super::rational::{Vector, number};
@@ -115,7 +115,7 @@ fn feature(random: &mut Random, surface: &dyn Surface, eye: DVec3) -> DVec3 {
 }
 
 /// A place where a line from `eye` touches a round surface.
-fn rim(random: &mut Random, center: DVec3, axes: DVec3, eye: DVec3) -> DVec3 {
+pub(crate) fn rim(random: &mut Random, center: DVec3, axes: DVec3, eye: DVec3) -> DVec3 {
     let from = (eye - center) / axes;
     let far = from.length();
     let around = from.cross(random.cube());
@@ -218,4 +218,69 @@ pub(crate) fn far_and_round(random: &mut Random) -> (Boxed, Ray<'static>) {
         .rounded();
     let dir = random.nudged(unit(way).unwrap_or(DVec3::X), 3);
     (surface, Ray::new(origin, dir))
+}
+
+/// A rectangle far away from its neighbour in the plane and up to seven last places of its own
+/// coordinates above or below it; the ray starts about as close to the plane at the neighbour's.
+pub(crate) fn welded_rectangle(random: &mut Random) -> (Boxed, Ray<'static>) {
+    loop {
+        let (normal, xdir) = (random.cube(), random.cube());
+        let Ok(frame) = Frame::new(normal, xdir) else {
+            continue;
+        };
+        let make = |corner: DVec3| -> Boxed {
+            let made = FinitePlane::new(common(), corner, normal, xdir, DVec2::ONE);
+            Box::new(made.expect("a rectangle"))
+        };
+        let normal = make(DVec3::ZERO).flat().expect("a flat surface").normal;
+        let far = random.power(2, 30);
+        let place = frame.x * far;
+        let last_place = place.abs().max_element() * f64::EPSILON / 2.0;
+        let lift = normal * (last_place * 7.0 * random.signed());
+        let mut surfaces = vec![make(DVec3::ZERO), make(place + lift)];
+        weld(&mut surfaces);
+        let start = frame.x * random.signed() + frame.y * random.signed();
+        let height = last_place * 16.0 * random.signed();
+        let way = place + (frame.x + frame.y) * 0.5 - start - normal * height;
+        let dir = if random.once_in(2) {
+            way
+        } else {
+            random.cube()
+        };
+        let ray = Ray::new(
+            Point::exact(start + normal * height),
+            unit(dir).unwrap_or(normal),
+        );
+        return (surfaces.swap_remove(1), ray);
+    }
+}
+
+/// A triangle whose longest edge is welded to that of another which is up to 2e-15 beside; the ray
+/// comes down close to that edge.
+pub(crate) fn welded_triangle(random: &mut Random) -> (Boxed, Ray<'static>) {
+    let beside = f64::from(random.between(-2, 2)) * 1e-15;
+    let make = |vertices: [[f64; 2]; 3]| -> Boxed {
+        let vertices = vertices.map(|[x, y]| DVec3::new(x, y, 0.0));
+        Box::new(Triangle::new(common(), vertices).expect("a triangle"))
+    };
+    let first = make([[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let second = make([
+        [3.0, 3.0 + beside],
+        [2.0, 2.0 + beside],
+        [3.0, 2.0 + beside],
+    ]);
+    let mut surfaces = vec![first, second];
+    weld(&mut surfaces);
+    let along = 2.0 + random.share();
+    let across = 4e-15 * random.signed();
+    let place = DVec3::new(along, along + across, 0.0);
+    let from = place + random.cube() * random.power(-20, -5);
+    let dir = unit(place - from).unwrap_or(DVec3::NEG_Z);
+    // Anchored at the triangle, so that little else is in doubt.
+    let anchor = DVec3::new(2.0, 2.0 + beside, 0.0);
+    let origin = Point {
+        anchor,
+        offset: from - anchor,
+    };
+    (surfaces.swap_remove(1), Ray::new(origin, dir))
 }

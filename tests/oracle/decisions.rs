@@ -160,7 +160,21 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     if reach * factor >= 1e100 {
         return;
     }
-    let end = random.nudged(ray.at(reach * factor).world(), 3);
+    let end = match (surface.flat(), surface.round()) {
+        // Nearly along the plane, from one side of it to the other.
+        (Some(flat), _) if random.once_in(4) => {
+            let height = flat.normal.dot(ray.origin.from(flat.point));
+            let along = ray.dir - flat.normal * flat.normal.dot(ray.dir);
+            let far = height.abs() * random.power(10, 70);
+            ray.origin.world() + along * far - flat.normal * (2.0 * height)
+        }
+        // Where the surface ends for the eye.
+        (_, Some([center, axes])) if random.once_in(4) => {
+            cases::rim(random, center, axes, ray.origin.world())
+        }
+        _ => ray.at(reach * factor).world(),
+    };
+    let end = random.nudged(end, 3);
     let arriving = Ray::new(Point::exact(ray.origin.world()), DVec3::Z);
     let departure = Departure::new((None, None), &arriving, ray.origin, 0.0);
     let Some(segment) = Segment::new(&departure, end) else {
@@ -175,6 +189,25 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     tally.compare(&decided, &exact, exact, || {
         format!("{segment:?} and {surface:?}")
     });
+}
+
+/// A surface that is decided by the plane and the line of a neighbour, which lie as far away as
+/// those that are welded may; asked from close to that neighbour.
+pub(crate) fn welded(random: &mut Random, tallies: &mut Tallies) {
+    let (surface, ray) = if random.once_in(2) {
+        cases::welded_rectangle(random)
+    } else {
+        cases::welded_triangle(random)
+    };
+    let flat = surface.flat().expect("a flat surface");
+    let exact = truth::side(flat, &ray.origin);
+    let tally = &mut tallies.aimed;
+    let decided = tally.observe(|| surface.side(&ray.origin));
+    let exact = [Side::Back, Side::On, Side::Front][usize::from((exact + 1).unsigned_abs())];
+    tally.compare(&decided, &exact, exact == Side::On, || {
+        format!("{:?} and {surface:?}", ray.origin)
+    });
+    check_meeting(&*surface, &ray, tally, &mut |_, _| ());
 }
 
 /// Whether the surface hides the ends of a segment from each other; `None` where the start is too

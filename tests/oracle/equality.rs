@@ -79,3 +79,8 @@ fn far_and_round_things_are_met_exactly_where_they_are() {
     }
     verdict("far and round", &tally);
 }
+
+#[test]
+fn what_a_neighbor_decides_is_decided_exactly() {
+    run("welded", decisions::welded);
+}

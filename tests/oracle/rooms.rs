@@ -154,6 +154,10 @@ impl Room {
     fn direction(&self, random: &mut Random, from: DVec3) -> DVec3 {
         let way = if random.once_in(4) {
             random.cube()
+        } else if random.once_in(4)
+            && let Some(seam) = self.seam(random)
+        {
+            seam - from
         } else {
             let inner = random.below(4) as usize;
             let mut target = DVec3::ZERO;
@@ -167,6 +171,22 @@ impl Room {
             (aimed + random.cube() * beside) / target.length()
         };
         unit(way).unwrap_or(DVec3::X)
+    }
+
+    /// A place where a pane ends at a wall.
+    fn seam(&self, random: &mut Random) -> Option<DVec3> {
+        let pane = self
+            .transparent
+            .iter()
+            .find_map(|pane| self.surfaces[*pane].flat())?;
+        let wall = random.below(3) as usize;
+        let end = if random.once_in(2) { 1.0 } else { -1.0 };
+        let across = self.reach[(wall + 1) % 3] * random.signed();
+        let place = self.center + self.reach[wall] * end + across;
+        // Along the third direction, to where the pane is.
+        let along = self.reach[(wall + 2) % 3];
+        let share = pane.normal.dot(pane.point - place) / pane.normal.dot(along);
+        (share.abs() < 1.0).then(|| place + along * share)
     }
 
     /// Sends a ray from inside; it has to meet a wall.
