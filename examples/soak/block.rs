@@ -54,6 +54,9 @@ fn rooms(random: &mut Random) -> Tally {
         tally.observe_within(|tally| {
             for _ in 0..BLOCK / SCENES {
                 room.ask(&list, random, tally);
+                if scene % 2 == 1 && random.once_in(16) {
+                    room.ask_in_corner(&list, random, tally);
+                }
             }
         });
     }

@@ -75,3 +75,18 @@ fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
         verdict(what, &tally);
     }
 }
+
+#[test]
+fn no_ray_leaves_through_the_corner_that_it_starts_in() {
+    let mut tally = Tally::default();
+    for scene in 0..cases().div_ceil(EACH) {
+        let mut random = Random::of(SEED, scene);
+        let room = Room::of_rectangles(&mut random, 1.0);
+        let list = SurfaceList::new(&room.surfaces);
+        for _ in 0..EACH {
+            tally.observe_within(|tally| room.ask_in_corner(&list, &mut random, tally));
+        }
+    }
+    verdict("corners", &tally);
+    assert!(tally.cases > cases() / 2, "no ray started in a corner");
+}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Changes one line of the production code at a time, in a copy, and demands that a test fails.
 #
-# Usage: mutate.sh [PATTERN]; with a pattern, only the mutants whose line contains it.
+# Usage: mutate.sh [PATTERN]; with a regular expression, only the mutants whose line matches it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -11,14 +11,17 @@ git ls-files -z | xargs -0 cp --parents -t "$copy"
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}/mutants"
 export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16
 
-tests() { (cd "$copy" && cargo test --release --lib --test oracle) > "$copy/log" 2>&1; }
+tests() {
+    (cd "$copy" && cargo test --release --test oracle && cargo test --release --lib) \
+        > "$copy/log" 2>&1
+}
 
 tests || { tail -n 40 "$copy/log"; echo "the tests fail without any change"; exit 2; }
 
 survivors=0
 while IFS= read -r line; do
     case "$line" in '' | '#'*) continue ;; esac
-    [[ "$line" == *"${1-}"* ]] || continue
+    [[ "$line" =~ ${1-} ]] || continue
     file=$(awk -F'[|]' '{ print $1 }' <<< "$line")
     MUTANT="$line" perl -0777 -i -pe '
         BEGIN { (undef, $from, $to) = map { s/\\\|/|/gr =~ s/\\n/\n/gr } split /(?<!\\)\|/, $ENV{MUTANT}; }
@@ -31,7 +34,7 @@ while IFS= read -r line; do
         grep -m 3 -A 5 "^error" "$copy/log"
         survivors=$((survivors + 1))
     else
-        echo "killed    $line  ($(grep -c "^test .*FAILED" "$copy/log") tests)"
+        echo "killed    $line  ($(grep -c "[.][.][.] FAILED$" "$copy/log") tests)"
     fi
     cp "$file" "$copy/$file"
 done < tests/oracle/mutants.txt

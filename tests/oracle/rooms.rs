@@ -159,7 +159,8 @@ impl Room {
         {
             seam - from
         } else {
-            let inner = random.below(4) as usize;
+            // Towards a corner, or somewhere on an edge.
+            let inner = random.below(6) as usize;
             let mut target = DVec3::ZERO;
             for (axis, reach) in self.reach.iter().enumerate() {
                 let end = if random.once_in(2) { 1.0 } else { -1.0 };
@@ -199,6 +200,43 @@ impl Room {
         } else {
             tally.leaks += 1;
             tally.wrong(|| format!("nothing is met by {ray:?} in {self:?}"));
+        }
+    }
+
+    /// Sends a ray from a wall, where rounding has put it a place or two beyond the others that
+    /// meet in the corner or on an edge; it has to meet one of them, or what is opposite.
+    pub(crate) fn ask_in_corner(&self, list: &SurfaceList, random: &mut Random, tally: &mut Tally) {
+        let from = self.place(random, 0.3);
+        let ends = self
+            .reach
+            .map(|reach| if random.once_in(2) { reach } else { -reach });
+        let corner = self.center + ends.into_iter().sum::<DVec3>();
+        let ray = Ray::new(Point::exact(from), unit(corner - from).unwrap_or(DVec3::X));
+        let Some((entry, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else {
+            return tally.wrong(|| format!("nothing is met by {ray:?} in {self:?}"));
+        };
+        // What is in the way is no wall.
+        if (hit.point.world() - corner).abs().max_element() > 1e-9 {
+            return;
+        }
+        let mut point = hit.point;
+        for axis in 0..3 {
+            if hit.normal[axis] == 0.0 {
+                let place = corner[axis];
+                let ulp = place.next_up() - place;
+                point.offset[axis] += ulp * f64::from(random.between(-2, 2));
+            }
+        }
+        let departure = Departure::new(entry.sheet(), &ray, point, hit.error);
+        let way = random.cube();
+        let inward = way - hit.normal * (2.0 * way.dot(hit.normal)).min(0.0);
+        let next = Ray::leaving(&departure, unit(inward).unwrap_or(hit.normal));
+        tally.cases += 1;
+        if list.nearest(&next, Span::AHEAD, &mut 0).is_some() {
+            tally.positive += 1;
+        } else {
+            tally.leaks += 1;
+            tally.wrong(|| format!("nothing is met by {next:?} in {self:?}"));
         }
     }
 
