@@ -34,7 +34,9 @@ impl<'a> LightView<'a> {
     /// What lights at these places have before them.
     #[must_use]
     pub fn all(surfaces: &SurfaceList<'a>, lights: impl Iterator<Item = DVec3>) -> Vec<Self> {
-        let bodies: Vec<_> = surfaces.entries().iter().map(Body::of).collect();
+        let each = surfaces.entries().len() <= MOST_LISTS;
+        let bodies = surfaces.entries().iter().filter(|_| each).map(Body::of);
+        let bodies: Vec<_> = bodies.collect();
         let view = |light| Self::new(surfaces, &bodies, light);
         lights.map(view).collect()
     }
@@ -65,9 +67,9 @@ impl<'a> LightView<'a> {
             .collect();
         let mut view = Self {
             casters: Vec::new(),
-            list_of: vec![None; bodies.len()],
+            list_of: vec![None; surfaces.entries().len()],
         };
-        if bodies.len() > MOST_LISTS {
+        if surfaces.entries().len() > MOST_LISTS {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }

@@ -17,9 +17,15 @@ impl<'a> Sight<'a> {
     /// What a camera sees of these surfaces.
     #[must_use]
     pub fn new(surfaces: &SurfaceList<'a>, camera: &Camera) -> Self {
-        let window = |entry: &Entry<'a>| match entry.surface.hull() {
-            Some(hull) => camera.window(hull.iter().map(|point| point.rounded())),
-            None => Some(Window::EVERYWHERE),
+        let window = |entry: &Entry<'a>| {
+            let outline = entry.surface.outline();
+            if !outline.is_empty() {
+                return camera.window(outline);
+            }
+            match entry.surface.bounds() {
+                Some(bounds) => camera.window(bounds.corners()),
+                None => Some(Window::EVERYWHERE),
+            }
         };
         let seen = surfaces
             .entries()

@@ -16,7 +16,9 @@ pub(super) struct Report {
     numerics: &'static str,
     /// Surface tests: does this ray meet it, does it hide the light.
     decisions: u64,
+    /// Those of them that rounded values decided: all, but for one for each sign that they did not.
     by_filter: u64,
+    /// Signs, of which a test may need several.
     exactly: u64,
     by_rule: u64,
     shared_planes: usize,
@@ -66,7 +68,8 @@ impl fmt::Display for Report {
             writeln!(
                 out,
                 "certificate\n  \
-                 surface tests       {}: {} by rounded values with proven bounds, {} exactly, {} by rule\n  \
+                 surface tests       {}, at least {} of them by rounded values with proven bounds\n  \
+                 other signs         {} exactly, {} by rule\n  \
                  welded              {} shared planes, {} shared lines, {} apart at most\n  \
                  error of a hit      {} at most, in world units\n  \
                  error after mirrors {}, an estimate",

@@ -45,3 +45,8 @@ pub(crate) const QUOTIENT: f64 = 2.0 * UNIT;
 /// the hit's own offset, which together bound `|c|₁ + t`: the roundings of `c`, of `t d`, of their sum,
 /// and of taking off the part along the normal. How far it lies along the ray is the error of `t`.
 pub(crate) const FOOT: f64 = 16.0 * UNIT;
+
+/// How far a hit may slide along its ray and still say something about what is next to it, in units
+/// of its distance: half of a double's digits, 2⁻²⁶. A ray that is nearly parallel to a plane may meet
+/// it anywhere, and then what is near the hit cannot be told from where it was computed to be.
+pub(crate) const SLIDE: f64 = 134_217_728.0 * UNIT;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Flat;
-use super::band::{FOOT, HEIGHT, UNIT};
+use super::band::{FOOT, HEIGHT, SLIDE, UNIT};
 use super::exact::ExactVector;
 use super::vector::reflected;
 
@@ -120,7 +120,7 @@ impl<'a> Departure<'a> {
             flat,
             point,
             arriving,
-            rounding: arriving.rounding() + FOOT * length + 2.0 * error,
+            rounding: arriving.rounding() + FOOT * length + (2.0 * error).min(SLIDE * length),
             doubt: HEIGHT * size,
             astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
         }

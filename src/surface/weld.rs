@@ -72,6 +72,8 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
         if plane.len() > 1 {
             welds.push(Weld::of(Welded::Plane, &plane));
         }
+        let fronts = plane.iter().map(|one| (one.surface, one.forward));
+        let fronts: HashMap<usize, bool> = fronts.collect();
         let mut borders: HashMap<usize, Vec<Option<Line>>> = HashMap::new();
         for line in lines(&plane, &blueprints) {
             let both_sides = line.iter().any(|member| member.forward != line[0].forward);
@@ -89,9 +91,7 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
             };
             let decisive = own(&first);
             for member in &line {
-                let normal = |surface: usize| plane.iter().find(|one| one.surface == surface);
-                let same_front = normal(member.surface).map(|one| one.forward)
-                    == normal(first.surface).map(|one| one.forward);
+                let same_front = fronts.get(&member.surface) == fronts.get(&first.surface);
                 let mut own = decisive.for_neighbor(same_front, member.forward == first.forward);
                 own.owned = member.forward;
                 let count = surfaces[member.surface].borders().len();
@@ -193,18 +193,17 @@ fn grouped(directions: Vec<(RationalVector, Vec<Member>)>) -> Vec<Vec<Member>> {
     let mut groups: Vec<Vec<Member>> = Vec::new();
     for (_, mut members) in directions {
         members.sort_by(|a, b| a.position.cmp(&b.position));
-        let mut start = groups.len();
+        let start = groups.len();
         for member in members {
-            let last = groups.get(start..).and_then(|own| own.last()?.last());
-            if last.is_some_and(|last| last.is_at(&member)) {
-                if let Some(group) = groups.last_mut() {
-                    group.push(member);
-                }
+            let own = groups.get(start..).and_then(<[_]>::last);
+            if own.is_some_and(|group| member.belongs_to(group))
+                && let Some(group) = groups.last_mut()
+            {
+                group.push(member);
             } else {
                 groups.push(vec![member]);
             }
         }
-        start = start.min(groups.len());
         for group in &mut groups[start..] {
             group.sort_by_key(|member| (member.surface, member.border));
         }
@@ -213,6 +212,15 @@ fn grouped(directions: Vec<(RationalVector, Vec<Member>)>) -> Vec<Vec<Member>> {
 }
 
 impl Member {
+    /// Whether a member that lies no lower belongs to a group: if it is where all of the group
+    /// are, and is not the other border of a surface that has one there.
+    fn belongs_to(&self, group: &[Self]) -> bool {
+        let own_other_side =
+            |other: &Self| other.surface == self.surface && other.forward != self.forward;
+        // The first lies lowest, so no other is further off.
+        group.first().is_some_and(|first| first.is_at(self)) && !group.iter().any(own_other_side)
+    }
+
     /// Whether another member, of the same direction, has the same position.
     fn is_at(&self, other: &Self) -> bool {
         let apart = &other.position - &self.position;

@@ -24,7 +24,8 @@ fn a_certificate_says_how_hits_were_decided() {
     for line in [
         // Fifteen rays, each near one tile or both; the middle column of three meets the joint, and
         // there each tile asks.
-        "  surface tests       18: 12 by rounded values with proven bounds, 0 exactly, 6 by rule\n",
+        "  surface tests       18, at least 12 of them by rounded values with proven bounds\n",
+        "  other signs         0 exactly, 6 by rule\n",
         "  welded              1 shared planes, 1 shared lines, 0 apart at most\n",
         "  error after mirrors 0, an estimate\n",
         "  not finite          0 pixels\n",
@@ -113,4 +114,27 @@ fn check_tells_what_was_moved_to_be_shared() {
         .expect("a line");
     let apart = line["apart"].as_f64().expect("a number");
     assert!(apart > 0.0 && apart < 1e-15, "{apart}");
+}
+
+/// Far away two borders of a strip are a few roundings apart, and still two.
+#[test]
+fn a_strip_is_not_welded_to_itself() {
+    let shell = Shell::new();
+    let tile = |point: &str, width: &str| {
+        format!(
+            "finite-plane {{ material \"left\"; point {point}; normal 0 0 1; xdir 1 0 0; \
+             dimensions {width} 1 }}\n"
+        )
+    };
+    let head = "image 5 3\ncamera { viewpoint 1e9 0.5 1; look-at 1e9 0.5 0 }\n\
+                material \"left\" { ambient 1 }\n";
+    let scene = [head, &tile("1e9 0 0", "8e-7"), &tile("5 7 0", "1")].concat();
+    shell.write("strip.kdl", &scene);
+    let run = shell.run(&["check", "strip.kdl"]).ends_with(0);
+    assert!(
+        run.stdout_text()
+            .ends_with("share 1 planes and 0 border lines\n"),
+        "{}",
+        run.stdout_text()
+    );
 }
