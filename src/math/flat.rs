@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::band::{HEIGHT, SLOPE, UNDERFLOW, UNIT};
-use super::exact::{Distance, ExactVector, RationalVector, Sign};
+use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
 use super::{Crossing, Decisions, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
@@ -145,11 +145,19 @@ impl Flat {
         if height.abs() > 2.0 * HEIGHT * point.size() + self.doubt {
             return Side::of(Sign::of(height));
         }
-        Side::of(
-            (exact - &self.base.into())
-                .dot(&self.decisive.into())
-                .sign(),
-        )
+        Side::of(self.exact_height(exact).sign())
+    }
+
+    /// The height of a point above the plane, exactly.
+    #[must_use]
+    pub fn exact_height(&self, point: &ExactVector) -> Exact {
+        (point - &self.base.into()).dot(&self.decisive.into())
+    }
+
+    /// How much a direction rises along the plane's normal, exactly.
+    #[must_use]
+    pub fn exact_slope(&self, dir: DVec3) -> Exact {
+        ExactVector::from(dir).dot(&self.decisive.into())
     }
 
     /// Whether another plane has this normal or the opposite one.
@@ -226,7 +234,7 @@ impl Flat {
     /// Whether the crossing lies ahead, where rounded values leave doubt.
     #[cold]
     fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
-        let exact = ExactVector::from(ray.dir).dot(&self.decisive.into());
+        let exact = self.exact_slope(ray.dir);
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
         let (side, at_start) = self.side_of_origin(ray);
@@ -261,7 +269,7 @@ impl Flat {
             };
             if departure.is_in(self) {
                 inherited = true;
-                break ExactVector::from(ray.dir).dot(&self.decisive.into()).sign();
+                break self.exact_slope(ray.dir).sign();
             }
             let (way, size) = ray.origin.seen_from(self.point);
             let height = self.normal.dot(way);

@@ -90,20 +90,31 @@ impl Line {
     }
 }
 
-/// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding.
+/// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding;
+/// `corners` are the surface's.
 ///
-/// A ray that starts within rounding of the plane crosses it where it starts; if it starts within
-/// rounding of the surface, it meets it. So there is no way out between two walls of a room for a
-/// ray that rounding has put into the edge.
+/// A ray that starts within rounding of the plane crosses it where it starts. If it starts within
+/// rounding of the surface, it meets it, unless the surface hangs on the other side of the plane
+/// that the ray leaves. So there is no way out between two walls of a room for a ray that rounding
+/// has put into the edge, and none is lost that leaves the outer edge of a box.
 #[cold]
 #[must_use]
-pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, crossing: &Crossing) -> bool {
+pub fn inside_all(
+    borders: &[Line],
+    corners: impl FnOnce() -> Vec<ExactVector>,
+    ray: &Ray,
+    normal: DVec3,
+    crossing: &Crossing,
+) -> bool {
     if let Some(rounding) = crossing.at_start {
         let start = ray.origin.exactly_from(DVec3::ZERO);
         let inside = |border: &Line| border.inward(&start, normal) >= -rounding;
         if borders.iter().all(inside) {
-            Decisions::note(true);
-            return true;
+            let met = rises_ahead(&corners(), ray, rounding);
+            if let Some(met) = met {
+                Decisions::note(true);
+                return met;
+            }
         }
     }
     let outer = if crossing.rises {
@@ -119,4 +130,24 @@ pub fn inside_all(borders: &[Line], ray: &Ray, normal: DVec3, crossing: &Crossin
     });
     Decisions::note(tie);
     inside
+}
+
+/// Whether a surface with these corners, next to which a ray starts, is on the side of the plane
+/// left behind to which the ray goes; `None` if it is within rounding of that plane.
+fn rises_ahead(corners: &[ExactVector], ray: &Ray, rounding: f64) -> Option<bool> {
+    let Some(left) = ray.departure.and_then(|departure| departure.flat) else {
+        return Some(true);
+    };
+    let goes = left.exact_slope(ray.dir).sign();
+    let heights = corners.iter().map(|corner| left.exact_height(corner));
+    let on_either = heights.fold((false, false), |(ahead, behind), height| {
+        let beyond = height.to_f64().abs() > rounding;
+        let same = height.sign() == goes;
+        (ahead || beyond && same, behind || beyond && !same)
+    });
+    match on_either {
+        (true, _) => Some(true),
+        (false, true) => Some(false),
+        (false, false) => None,
+    }
 }

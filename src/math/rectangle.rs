@@ -133,7 +133,10 @@ impl Rectangle {
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
-        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
+        let exactly = || {
+            let (normal, corners) = (self.flat.decisive_normal(), || self.exact_corners().into());
+            inside_all(&self.borders, corners, ray, normal, crossing)
+        };
 
         let x = self.frame.y.dot(moment) * sign;
         let y = -self.frame.x.dot(moment) * sign;

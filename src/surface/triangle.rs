@@ -90,7 +90,11 @@ impl Triangle {
     /// the distance of the crossing from the edge times `n·d` and the edge's length.
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
-        let exactly = || inside_all(&self.borders, ray, self.flat.decisive_normal(), crossing);
+        let exactly = || {
+            let normal = self.flat.decisive_normal();
+            let corners = || self.vertices.map(ExactVector::from).into();
+            inside_all(&self.borders, corners, ray, normal, crossing)
+        };
         if crossing.at_start.is_some() {
             return exactly();
         }
