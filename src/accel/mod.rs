@@ -11,7 +11,7 @@ pub use supports::supports;
 
 use std::cmp::Ordering;
 
-use crate::math::{Decisions, Flat, Ray, Span, Support};
+use crate::math::{Curve, Decisions, Departure, Flat, Ray, Span, Support};
 use crate::surface::{Hit, Surface};
 
 /// The surfaces of a scene in file order: every one is asked.
@@ -29,6 +29,8 @@ pub struct Entry<'a> {
     pub support: Option<Support>,
     /// Its plane, if it is flat.
     pub flat: Option<&'a Flat>,
+    /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
+    pub is_entered: bool,
     /// Its place in the list.
     pub index: usize,
 }
@@ -60,6 +62,10 @@ impl<'a> SurfaceList<'a> {
                     surface,
                     support,
                     flat: surface.flat(),
+                    is_entered: surface.round().is_some()
+                        && surface.common().material.is_entered()
+                        // A sheet has the number of the first surface on it.
+                        && support.is_some_and(|Support(first)| first as usize == index),
                     index,
                 })
                 .collect(),
@@ -93,7 +99,7 @@ fn nearest<'e, 'a>(
     let mut best: Option<(&Entry<'a>, Hit)> = None;
     let left = ray.leaves();
     for entry in entries {
-        if entry.lies_on(left) {
+        if entry.lies_on(left) && !entry.is_entered {
             continue;
         }
         *tests += 1;
@@ -114,6 +120,21 @@ impl<'a> Entry<'a> {
     #[must_use]
     pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {
         (self.support, self.flat)
+    }
+
+    /// What rays that leave the surface where another met it know of it.
+    #[must_use]
+    #[inline(always)]
+    pub fn departure<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> Departure<'b>
+    where
+        'a: 'b,
+    {
+        let mut departure = Departure::new(self.sheet(), arriving, hit.point, hit.error);
+        if self.is_entered {
+            let normal = hit.normal;
+            departure.curve = self.surface.round().map(|round| Curve { round, normal });
+        }
+        departure
     }
 
     /// Whether the surface lies on a sheet, if it is known to lie on one.

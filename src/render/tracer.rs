@@ -8,6 +8,7 @@ use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::scene::Scene;
 use crate::surface::{Hit, Surface};
 
+use super::media::Media;
 use super::{Errors, Probe};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
@@ -30,11 +31,13 @@ pub struct Tracer<'a> {
 
 /// How a ray came to be where it is.
 #[derive(Debug)]
-struct Path {
+struct Path<'a> {
     /// Distance from the eye to the ray's origin, along all mirrors.
     travelled: f64,
     /// The largest share of the ray's colour that reaches the pixel.
     weight: f64,
+    /// What the ray is inside of.
+    media: Media<'a>,
     /// What rounding may have done to it.
     errors: Errors,
 }
@@ -74,6 +77,7 @@ impl<'a> Tracer<'a> {
         let path = Path {
             travelled: 0.0,
             weight: 1.0,
+            media: Media::Air,
             errors: Errors::default(),
         };
         let (ray, mut tests) = (self.camera.ray(x, y), 0);
@@ -112,17 +116,19 @@ impl<'a> Tracer<'a> {
         let errors = path.errors.at(&hit);
         probe.hit(errors);
         let surface = entry.surface;
-        let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
+        let departure = entry.departure(ray, &hit);
         let travelled = path.travelled + hit.t;
         let local = self.local_color(ray, entry, &departure, &hit, probe);
         let divisor = self.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
 
         let material = &surface.common().material;
-        let mut follow = |share: Rgb, dir, probe: &mut _, count: fn(&mut _)| {
+        let boundary = path.media.boundary(material, ray.dir, hit.normal);
+        let mut follow = |share: Rgb, dir, media, probe: &mut _, count: fn(&mut _)| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.max_channel(),
+                media,
                 errors: errors.behind(surface),
             };
             let spent = path.weight <= self.scene.picture.cut_off
@@ -136,18 +142,17 @@ impl<'a> Tracer<'a> {
             let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, bounces, probe)
         };
+        color = color * boundary.passing;
         if material.transparency > 0.0 {
-            let through = follow(
-                surface.transmits(&hit),
-                ray.dir,
-                probe,
-                Probe::transmitted_ray,
-            );
+            let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
+                let share = surface.transmits(&hit) * boundary.passing;
+                follow(share, dir, boundary.beyond, probe, Probe::transmitted_ray)
+            });
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
-        if !material.specular.is_black() {
-            let direction = ray.mirrored(hit.normal);
-            let mirrored = follow(material.specular, direction, probe, Probe::mirror_ray);
+        if !boundary.mirrored.is_black() {
+            let (share, dir) = (boundary.mirrored, ray.mirrored(hit.normal));
+            let mirrored = follow(share, dir, path.media, probe, Probe::mirror_ray);
             color = (color + mirrored).saturated();
         }
         color

@@ -5,6 +5,7 @@ mod chord;
 pub mod classic;
 mod common;
 mod globe;
+mod inside;
 mod weld;
 
 use std::fmt;

@@ -15,13 +15,14 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic, is_beyond};
+use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
 use crate::texture::{Texture, TextureMap};
 
-/// A sphere, seen and lit from outside.
+/// A sphere, lit from outside, and seen from outside unless its material has an index of refraction.
 #[derive(Debug, Clone)]
 pub struct Sphere {
     common: Common,
@@ -83,8 +84,23 @@ impl Sphere {
     }
 }
 
-impl Sphere {
-    /// The equation of the distances at which a ray meets the sphere.
+impl Round for Sphere {
+    fn center_and_axes(&self) -> [DVec3; 2] {
+        [self.center, DVec3::splat(self.radius)]
+    }
+
+    fn ball_radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn in_ball(&self, vector: DVec3) -> DVec3 {
+        vector
+    }
+
+    fn most_stretch(&self) -> f64 {
+        1.0
+    }
+
     fn equation(&self, ray: &Ray) -> Quadratic {
         let origin = ray.origin.exactly_from(self.center);
         let dir = ExactVector::from(ray.dir);
@@ -96,7 +112,6 @@ impl Sphere {
         }
     }
 
-    /// The distance at which a ray enters, and its error.
     #[inline(always)]
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = ray.origin.from(self.center);
@@ -108,7 +123,7 @@ impl Sphere {
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let (t, error) = self
-            .entry(ray)
+            .meeting(ray)
             .filter(|(t, error)| span.admits(*t, *error))?;
         let normal = direction(ray.origin.from(self.center) + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
@@ -146,7 +161,7 @@ impl Surface for Sphere {
     }
 
     fn round(&self) -> Option<[DVec3; 2]> {
-        Some([self.center, DVec3::splat(self.radius)])
+        Some(self.center_and_axes())
     }
 
     fn bounds(&self) -> Option<Bounds> {
@@ -170,10 +185,13 @@ impl Surface for Sphere {
     }
 
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.equation(ray).entry()
+        self.exact_meeting(ray)
     }
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        if let Some(passes) = self.lets_out(segment, end) {
+            return passes;
+        }
         let Some((t, _)) = self.entry(&segment.ray) else {
             return false;
         };
