@@ -1,7 +1,7 @@
 //! The colour along one ray.
 
 use crate::accel::Entry;
-use crate::math::{Departure, Ray, Rgb};
+use crate::math::{Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
@@ -40,6 +40,31 @@ struct Budget {
     rays: u32,
     /// How much light may still be missed.
     light: f64,
+}
+
+impl Budget {
+    /// Puts a share aside, so that the one of two rays that is followed first cannot use up all.
+    fn put_aside(&mut self, share: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a share of a small count"
+        )]
+        let rays = (f64::from(self.rays) * share) as u32;
+        let aside = Self {
+            rays,
+            light: self.light * share,
+        };
+        self.rays -= aside.rays;
+        self.light -= aside.light;
+        aside
+    }
+
+    /// Adds what was put aside to what is left.
+    fn take_back(&mut self, aside: Self) {
+        self.rays += aside.rays;
+        self.light += aside.light;
+    }
 }
 
 impl<'a> Tracer<'a> {
@@ -108,7 +133,7 @@ impl<'a> Tracer<'a> {
         let material = &surface.common().material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
-        let mut follow = |share: Rgb, dir, media, probe: &mut _, count: fn(&mut _)| {
+        let follow = |share: Rgb, dir, media, budget: &mut _, probe: &mut _, count: fn(&mut _)| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
@@ -125,15 +150,25 @@ impl<'a> Tracer<'a> {
         };
         color = color * boundary.passing;
         if material.transparency > 0.0 || everything {
+            // Of two rays each may cost what it weighs: in glass both go on and on.
+            let aside = budget.put_aside(1.0 - boundary.passing);
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(&hit) * boundary.passing;
-                follow(share, dir, boundary.beyond, probe, Probe::transmitted_ray)
+                follow(
+                    share,
+                    dir,
+                    boundary.beyond,
+                    budget,
+                    probe,
+                    Probe::transmitted_ray,
+                )
             });
+            budget.take_back(aside);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
             let (share, dir) = (boundary.mirrored, ray.mirrored(hit.normal));
-            let mirrored = follow(share, dir, path.media, probe, Probe::mirror_ray);
+            let mirrored = follow(share, dir, path.media, budget, probe, Probe::mirror_ray);
             color = (color + mirrored).saturated();
         }
         color
