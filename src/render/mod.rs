@@ -7,7 +7,7 @@ mod shading;
 mod tracer;
 
 pub use errors::{Certificate, Errors};
-pub use probe::{Counts, Probe};
+pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use samples::samples;
 pub use tracer::Tracer;
 

@@ -5,7 +5,7 @@ use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::surface::Hit;
 
-use super::{Probe, Tracer};
+use super::{Arrival, Probe, RayKind, Tracer};
 
 impl Tracer<'_> {
     /// What the surface itself sends back along a ray: ambient, and the light of every light.
@@ -23,8 +23,10 @@ impl Tracer<'_> {
             return color;
         }
         let diffuse = surface.getdiff(hit);
-        for (light, view) in self.plan.scene.lights.iter().zip(&self.plan.light_views) {
+        let lights = self.plan.scene.lights.iter().zip(&self.plan.light_views);
+        for (index, (light, view)) in lights.enumerate() {
             if !view.lights(entry) {
+                probe.light(index, Arrival::Unplanned);
                 continue;
             }
             let Some(mut segment) = Segment::new(departure, light.location) else {
@@ -32,11 +34,16 @@ impl Tracer<'_> {
             };
             let cosine = segment.ray.dir.dot(hit.normal);
             if cosine <= 0.0 {
-                // The surface hides itself.
+                probe.light(index, Arrival::Behind);
                 continue;
             }
             segment.span = self.plan.camera.span(&segment.ray);
-            let Some(arriving) = self.arriving(entry, light, view, &segment, probe) else {
+            let arrival = self.arrival(entry, (index, light), view, &segment, probe);
+            probe.light(index, arrival);
+            let Arrival::Light {
+                color: arriving, ..
+            } = arrival
+            else {
                 continue;
             };
             let divisor = self.plan.scene.lighting.falloff.divisor(segment.length);
@@ -55,24 +62,34 @@ impl Tracer<'_> {
         color
     }
 
-    /// The light of a light that arrives at the start of a segment to it; `None` if the beam
-    /// passes by or something stands in the way.
-    fn arriving(
+    /// What arrives from a light at the start of a segment to it.
+    fn arrival(
         &self,
         entry: &Entry<'_>,
-        light: &Light,
+        (index, light): (usize, &Light),
         view: &LightView<'_>,
         segment: &Segment,
         probe: &mut impl Probe,
-    ) -> Option<Rgb> {
-        let leaving = light.towards(segment)?;
-        if !entry.surface.common().shadows.receive {
-            return Some(leaving);
+    ) -> Arrival {
+        let Some(leaving) = light.towards(segment) else {
+            return Arrival::OutsideBeam;
+        };
+        if !(entry.surface.common().shadows.receive && view.can_be_hidden_from(entry)) {
+            return Arrival::Light {
+                color: leaving,
+                unasked: true,
+            };
         }
-        probe.shadow_ray();
+        probe.ray(RayKind::Shadow);
         let mut tests = 0;
         let passed = view.transmittance(entry, segment, &mut tests);
-        probe.occlusion_tests(tests);
-        (!passed.is_black()).then(|| leaving * passed)
+        probe.occlusion_tests(index, tests);
+        if passed.is_black() {
+            return Arrival::Hidden;
+        }
+        Arrival::Light {
+            color: leaving * passed,
+            unasked: false,
+        }
     }
 }
