@@ -3,6 +3,7 @@
 use crate::accel::{Entry, LightView};
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
+use crate::plan::Scope;
 use crate::surface::Hit;
 
 use super::{Arrival, Probe, RayKind, Tracer};
@@ -50,7 +51,7 @@ impl Tracer<'_> {
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &surface.common().material;
-            if material.shininess > 0.0 {
+            if material.has_glints() || self.plan.scope == Scope::Everything {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
