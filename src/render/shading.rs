@@ -51,7 +51,8 @@ impl Tracer<'_> {
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &surface.common().material;
-            if material.has_glints() || self.plan.scope == Scope::Everything {
+            let everything = self.plan.scope == Scope::Everything;
+            if material.has_glints() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
