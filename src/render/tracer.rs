@@ -62,7 +62,7 @@ impl<'a> Tracer<'a> {
             scene,
             camera,
             sight,
-            light_views: LightView::all(&surfaces, lights),
+            light_views: LightView::all(&surfaces, lights, true),
             surfaces,
         })
     }
@@ -180,8 +180,7 @@ impl<'a> Tracer<'a> {
                 // The surface hides itself.
                 continue;
             }
-            segment.span = self.camera.span(&segment.ray);
-            let Some(arriving) = self.arriving(entry, light, view, &segment, probe) else {
+            let Some(arriving) = self.arriving(entry, hit, light, view, &mut segment, probe) else {
                 continue;
             };
             let divisor = self.scene.lighting.falloff.divisor(segment.length);
@@ -205,9 +204,10 @@ impl<'a> Tracer<'a> {
     fn arriving(
         &self,
         entry: &Entry<'_>,
+        hit: &Hit,
         light: &Light,
         view: &LightView<'_>,
-        segment: &Segment,
+        segment: &mut Segment,
         probe: &mut impl Probe,
     ) -> Option<Rgb> {
         let leaving = light.towards(segment)?;
@@ -215,8 +215,12 @@ impl<'a> Tracer<'a> {
             return Some(leaving);
         }
         probe.shadow_ray();
+        if !view.can_be_hidden_from(entry, hit, &segment.ray) {
+            return Some(leaving);
+        }
+        segment.span = self.camera.span(&segment.ray);
         let mut tests = 0;
-        let passed = view.transmittance(entry, segment, &mut tests);
+        let passed = view.transmittance(entry, hit, segment, &mut tests);
         probe.occlusion_tests(tests);
         (!passed.is_black()).then(|| leaving * passed)
     }
