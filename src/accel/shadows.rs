@@ -45,25 +45,23 @@ impl Caster<'_> {
 const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
-    /// What lights at these places have before them.
-    ///
-    /// `shades` is whether to find out where shadows can fall, so that surfaces need not be asked
-    /// elsewhere; what passes is the same.
+    /// What lights at these places have before them. Without `elides` every surface is asked for
+    /// every shadow, even if it is proven to cast none.
     #[must_use]
     pub fn all(
         surfaces: &SurfaceList<'a>,
         lights: impl Iterator<Item = DVec3>,
-        shades: bool,
+        elides: bool,
     ) -> Vec<Self> {
-        let each = surfaces.entries().len() <= MOST_LISTS;
+        let each = elides && surfaces.entries().len() <= MOST_LISTS;
         let bodies = surfaces.entries().iter().filter(|_| each).map(Body::of);
         let bodies: Vec<_> = bodies.collect();
-        let view = |light| Self::new(surfaces, &bodies, light, shades);
+        let view = |light| Self::new(surfaces, each.then_some(&bodies), light);
         lights.map(view).collect()
     }
 
     /// What a light at this place has before it.
-    fn new(surfaces: &SurfaceList<'a>, bodies: &[Body], light: DVec3, shades: bool) -> Self {
+    fn new(surfaces: &SurfaceList<'a>, bodies: Option<&Vec<Body>>, light: DVec3) -> Self {
         let location = Point::exact(light);
         let casters: Vec<_> = surfaces
             .entries()
@@ -75,14 +73,6 @@ impl<'a> LightView<'a> {
                 side: entry.surface.side(&location),
             })
             .collect();
-        let shading = |caster: &Caster<'a>, from: &Entry<'_>| {
-            let (body, receiver) = (&bodies[caster.entry.index], &bodies[from.index]);
-            let hides = body.can_hide(light, caster.side, receiver);
-            hides.then(|| Caster {
-                shade: shades.then(|| Shade::of(light, body, receiver)).flatten(),
-                ..*caster
-            })
-        };
         let lit: Vec<_> = surfaces
             .entries()
             .iter()
@@ -95,13 +85,21 @@ impl<'a> LightView<'a> {
             casters: Vec::new(),
             list_of: vec![None; surfaces.entries().len()],
         };
-        if surfaces.entries().len() > MOST_LISTS {
+        let Some(bodies) = bodies else {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
             view.casters.push(casters);
             return view;
-        }
+        };
+        let shading = |caster: &Caster<'a>, from: &Entry<'_>| {
+            let (body, receiver) = (&bodies[caster.entry.index], &bodies[from.index]);
+            let hides = body.can_hide(light, caster.side, receiver);
+            hides.then(|| Caster {
+                shade: Shade::of(light, body, receiver),
+                ..*caster
+            })
+        };
         for entry in lit {
             view.list_of[entry.index] = Some(view.casters.len());
             let own = casters.iter().filter_map(|caster| shading(caster, entry));

@@ -21,7 +21,7 @@ fn what_is_not_asked_hides_nothing() {
         let surfaces = place.furniture(&mut random);
         let list = SurfaceList::new(&surfaces);
         let [light, eye] = [0; 2].map(|_| place.free(&mut random));
-        let view = |shades| LightView::all(&list, std::iter::once(light), shades).remove(0);
+        let view = |elides| LightView::all(&list, std::iter::once(light), elides).remove(0);
         let (all, fewer) = (view(false), view(true));
         for _ in 0..EACH {
             let Some(dir) = unit(aimed(&mut random, &surfaces, light) - eye) else {
