@@ -1,6 +1,7 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod receivers;
+mod shade;
 mod shadows;
 mod sight;
 mod supports;

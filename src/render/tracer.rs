@@ -6,7 +6,7 @@ use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::media::Media;
-use super::{Errors, Probe};
+use super::{Errors, Probe, RayKind, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -76,7 +76,7 @@ impl<'a> Tracer<'a> {
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
-        probe.camera_ray();
+        probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let mut budget = Budget {
             rays: MOST_BOUNCES,
@@ -119,21 +119,23 @@ impl<'a> Tracer<'a> {
         probe: &mut impl Probe,
     ) -> Rgb {
         let Some((entry, hit)) = met else {
+            probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
         let errors = path.errors.at(&hit);
-        probe.hit(errors);
+        probe.met(entry.index, &hit, errors);
         let surface = entry.surface;
         let departure = entry.departure(ray, &hit);
         let travelled = path.travelled + hit.t;
         let local = self.local_color(ray, entry, &departure, &hit, probe);
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
+        probe.own_color(color);
 
         let material = &surface.common().material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
-        let follow = |share: Rgb, dir, media, budget: &mut _, probe: &mut _, count: fn(&mut _)| {
+        let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
@@ -141,10 +143,12 @@ impl<'a> Tracer<'a> {
                 errors: errors.behind(surface),
             };
             let uncalled = path.weight == 0.0 && everything;
-            if !(uncalled || self.is_worth_following(&path, divisor, budget, probe)) {
+            let worth = self.is_worth_following(&path, divisor, budget);
+            if let (Err(why), false) = (worth, uncalled) {
+                Probe::not_followed(probe, kind, why);
                 return Rgb::BLACK;
             }
-            count(probe);
+            Probe::ray(probe, kind, share);
             let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, budget, probe)
         };
@@ -154,23 +158,18 @@ impl<'a> Tracer<'a> {
             let aside = budget.put_aside(1.0 - boundary.passing);
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(&hit) * boundary.passing;
-                follow(
-                    share,
-                    dir,
-                    boundary.beyond,
-                    budget,
-                    probe,
-                    Probe::transmitted_ray,
-                )
+                let onward = (dir, boundary.beyond);
+                follow(share, onward, RayKind::Transmitted, budget, probe)
             });
             budget.take_back(aside);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
-            let (share, dir) = (boundary.mirrored, ray.mirrored(hit.normal));
-            let mirrored = follow(share, dir, path.media, budget, probe, Probe::mirror_ray);
+            let onward = (ray.mirrored(hit.normal), path.media);
+            let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
             color = (color + mirrored).saturated();
         }
+        probe.came_back(color);
         color
     }
 
@@ -180,21 +179,19 @@ impl<'a> Tracer<'a> {
         path: &Path,
         divisor: f64,
         budget: &mut Budget,
-        probe: &mut impl Probe,
-    ) -> bool {
+    ) -> Result<(), Unfollowed> {
         if path.travelled > self.plan.scene.lighting.reach {
-            return false;
+            return Err(Unfollowed::BeyondReach);
         }
         let missed = self.plan.tail.of(path.weight, divisor);
         if missed <= budget.light {
             budget.light -= missed;
-            return false;
+            return Err(Unfollowed::TooFaint(missed));
         }
-        if budget.rays == 0 {
-            probe.capped(missed);
-            return false;
-        }
-        budget.rays -= 1;
-        true
+        budget.rays = budget
+            .rays
+            .checked_sub(1)
+            .ok_or(Unfollowed::Capped(missed))?;
+        Ok(())
     }
 }
