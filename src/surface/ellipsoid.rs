@@ -225,14 +225,14 @@ impl Surface for Ellipsoid {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
-        let (way, dir) = (segment.end - self.center, segment.ray.dir);
+        let (parts, dir) = (segment.end.parts_from(self.center), segment.ray.dir);
         let exact = || {
             let stretch = ExactVector::from(self.axes).products_of_others();
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             let dir = ExactVector::from(dir).scaled(&stretch);
             way.scaled(&stretch).dot(&dir)
         };
-        let beyond = || is_beyond(self.shrunk(way), self.shrunk(dir), exact);
+        let beyond = || is_beyond(parts.map(|part| self.shrunk(part)), self.shrunk(dir), exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

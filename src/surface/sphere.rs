@@ -181,10 +181,10 @@ impl Surface for Sphere {
         // place together with the whole sphere.
         let dir = segment.ray.dir;
         let exact = || {
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             way.dot(&dir.into())
         };
-        let beyond = || is_beyond(segment.end - self.center, dir, exact);
+        let beyond = || is_beyond(segment.end.parts_from(self.center), dir, exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
