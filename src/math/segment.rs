@@ -21,7 +21,9 @@ impl<'a> Segment<'a> {
     /// The segment from a hit to a point; `None` if they coincide.
     #[must_use]
     pub fn new(departure: &'a Departure<'a>, end: impl Into<Point>) -> Option<Self> {
-        Self::along(departure.point, end.into(), |dir| Ray::leaving(departure, dir))
+        Self::along(departure.point, end.into(), |dir| {
+            Ray::leaving(departure, dir)
+        })
     }
 
     /// The segment from a point in free space to another; `None` if they coincide.

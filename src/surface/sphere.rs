@@ -84,6 +84,23 @@ impl Sphere {
 }
 
 impl Sphere {
+    /// Its centre.
+    #[must_use]
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Its radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Adds the sphere's place and size to a node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("center", self.center).with("radius", self.radius)
+    }
+
     /// The equation of the distances at which a ray meets the sphere.
     fn equation(&self, ray: &Ray) -> Quadratic {
         let origin = ray.origin.exactly_from(self.center);
@@ -139,9 +156,7 @@ impl Surface for Sphere {
     }
 
     fn describe(&self) -> Node {
-        let node = Node::new(&Self::SCHEMA, None)
-            .with("center", self.center)
-            .with("radius", self.radius);
+        let node = self.describe_into(Node::new(&Self::SCHEMA, None));
         globe::describe(node, self.image.as_ref())
     }
 
