@@ -17,8 +17,9 @@ use glam::{DVec2, DVec3};
 use super::chord::{Chord, Quadratic, is_beyond};
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::exact::{Distance, Exact, ExactVector};
-use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
+use crate::math::band::UNDERFLOW;
+use crate::math::exact::{Distance, Exact, ExactVector, Sign};
+use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
 use crate::texture::{Texture, TextureMap};
 
 /// A sphere, seen and lit from outside.
@@ -180,6 +181,13 @@ impl Surface for Sphere {
     }
 
     fn side(&self, point: &Point) -> Side {
+        // Two roundings in each component of the way, a product and two sums, and a difference.
+        const ROUNDINGS: f64 = 16.0 * UNIT;
+        let (way, size) = point.seen_from(self.center);
+        let height = way.length_squared() - self.radius * self.radius;
+        if height.abs() > ROUNDINGS * (size * size + self.radius * self.radius) + UNDERFLOW {
+            return Side::of(Sign::of(height));
+        }
         let way = point.exactly_from(self.center);
         Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
     }
