@@ -31,18 +31,23 @@ struct Caster<'a> {
 const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
-    /// What lights at these places have before them.
+    /// What lights at these places have before them. Without `elides` every surface is asked for
+    /// every shadow, even if it is proven to cast none.
     #[must_use]
-    pub fn all(surfaces: &SurfaceList<'a>, lights: impl Iterator<Item = DVec3>) -> Vec<Self> {
-        let each = surfaces.entries().len() <= MOST_LISTS;
+    pub fn all(
+        surfaces: &SurfaceList<'a>,
+        lights: impl Iterator<Item = DVec3>,
+        elides: bool,
+    ) -> Vec<Self> {
+        let each = elides && surfaces.entries().len() <= MOST_LISTS;
         let bodies = surfaces.entries().iter().filter(|_| each).map(Body::of);
         let bodies: Vec<_> = bodies.collect();
-        let view = |light| Self::new(surfaces, &bodies, light);
+        let view = |light| Self::new(surfaces, each.then_some(&bodies), light);
         lights.map(view).collect()
     }
 
     /// What a light at this place has before it.
-    fn new(surfaces: &SurfaceList<'a>, bodies: &[Body], light: DVec3) -> Self {
+    fn new(surfaces: &SurfaceList<'a>, bodies: Option<&Vec<Body>>, light: DVec3) -> Self {
         let location = Point::exact(light);
         let casters: Vec<_> = surfaces
             .entries()
@@ -53,10 +58,6 @@ impl<'a> LightView<'a> {
                 side: entry.surface.side(&location),
             })
             .collect();
-        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
-            let body = &bodies[caster.entry.index];
-            body.can_hide(light, caster.side, &bodies[from.index])
-        };
         let lit: Vec<_> = surfaces
             .entries()
             .iter()
@@ -69,13 +70,17 @@ impl<'a> LightView<'a> {
             casters: Vec::new(),
             list_of: vec![None; surfaces.entries().len()],
         };
-        if surfaces.entries().len() > MOST_LISTS {
+        let Some(bodies) = bodies else {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
             view.casters.push(casters);
             return view;
-        }
+        };
+        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
+            let body = &bodies[caster.entry.index];
+            body.can_hide(light, caster.side, &bodies[from.index])
+        };
         for entry in lit {
             view.list_of[entry.index] = Some(view.casters.len());
             let own = casters.iter().filter(|caster| hides(caster, entry));

@@ -21,6 +21,9 @@ pub trait Probe {
     fn occlusion_tests(&mut self, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
+    /// A ray that would have been followed if one ray from the eye could cause more, and how much
+    /// it could have added to the pixel.
+    fn capped(&mut self, _missed: f64) {}
     /// A hit, with how far off it may be.
     fn hit(&mut self, _errors: Errors) {}
 }

@@ -150,6 +150,14 @@ pub trait Surface: Send + Sync + fmt::Debug {
         self.common().material.diffuse * hit.texel
     }
 
+    /// The largest channels that [`getamb`](Self::getamb) and [`getdiff`](Self::getdiff) can have
+    /// at any hit, whichever sign they have.
+    fn brightest(&self) -> [f64; 2] {
+        // No texel is brighter than white.
+        let material = &self.common().material;
+        [material.ambient.largest(), material.diffuse.largest()]
+    }
+
     /// The share of light that goes straight through at a hit, with its colour.
     #[doc(alias = "transmittance")]
     fn transmits(&self, hit: &Hit) -> Rgb {
