@@ -6,7 +6,7 @@ mod tail;
 pub use scope::Scope;
 pub use tail::Tail;
 
-use crate::accel::{LightView, Sight, SurfaceList};
+use crate::accel::{LampView, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::scene::Scene;
@@ -25,6 +25,8 @@ pub struct Plan<'a> {
     pub sight: Option<Sight<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     pub light_views: Vec<LightView<'a>>,
+    /// What each lamp has before it, in the order of the scene's surfaces.
+    pub lamp_views: Vec<LampView<'a>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// Whether anything is left out.
@@ -56,6 +58,7 @@ impl<'a> Plan<'a> {
             scene,
             sight: elides.then(|| Sight::new(&surfaces, &camera)),
             light_views: LightView::all(&surfaces, lights, elides),
+            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             surfaces,
             camera,
             tail: Tail::new(scene),

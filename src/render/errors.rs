@@ -67,6 +67,10 @@ impl Probe for Certificate {
         self.counts.shadow_ray();
     }
 
+    fn lamp_ray(&mut self) {
+        self.counts.lamp_ray();
+    }
+
     fn mirror_ray(&mut self) {
         self.counts.mirror_ray();
     }

@@ -11,6 +11,8 @@ pub trait Probe {
     fn camera_ray(&mut self) {}
     /// A ray from a surface to a light.
     fn shadow_ray(&mut self) {}
+    /// A ray from a surface to a point of a lamp.
+    fn lamp_ray(&mut self) {}
     /// A ray mirrored by a surface.
     fn mirror_ray(&mut self) {}
     /// A ray straight through a surface.
@@ -37,6 +39,8 @@ pub struct Counts {
     pub camera_rays: u64,
     /// Rays to lights.
     pub shadow_rays: u64,
+    /// Rays to points of lamps.
+    pub lamp_rays: u64,
     /// Rays from mirrors.
     pub mirror_rays: u64,
     /// Rays through surfaces.
@@ -53,7 +57,11 @@ impl Counts {
     /// All rays.
     #[must_use]
     pub fn rays(&self) -> u64 {
-        self.camera_rays + self.shadow_rays + self.mirror_rays + self.transmitted_rays
+        self.camera_rays
+            + self.shadow_rays
+            + self.lamp_rays
+            + self.mirror_rays
+            + self.transmitted_rays
     }
 }
 
@@ -64,6 +72,10 @@ impl Probe for Counts {
 
     fn shadow_ray(&mut self) {
         self.shadow_rays += 1;
+    }
+
+    fn lamp_ray(&mut self) {
+        self.lamp_rays += 1;
     }
 
     fn mirror_ray(&mut self) {
@@ -92,6 +104,7 @@ impl Sum for Counts {
         counts.fold(Self::default(), |sum, next| Self {
             camera_rays: sum.camera_rays + next.camera_rays,
             shadow_rays: sum.shadow_rays + next.shadow_rays,
+            lamp_rays: sum.lamp_rays + next.lamp_rays,
             mirror_rays: sum.mirror_rays + next.mirror_rays,
             transmitted_rays: sum.transmitted_rays + next.transmitted_rays,
             hit_tests: sum.hit_tests + next.hit_tests,

@@ -28,6 +28,8 @@ struct Path {
     weight: f64,
     /// What rounding may have done to it.
     errors: Errors,
+    /// What tells it from other rays from the eye.
+    seed: u64,
 }
 
 /// What is left for the rays that one ray from the eye causes.
@@ -58,6 +60,7 @@ impl<'a> Tracer<'a> {
             travelled: 0.0,
             weight: 1.0,
             errors: Errors::default(),
+            seed: x.to_bits() ^ y.to_bits().rotate_left(32),
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
@@ -97,7 +100,11 @@ impl<'a> Tracer<'a> {
         let surface = entry.surface;
         let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, entry, &departure, &hit, probe);
+        let mut local = self.local_color(ray, entry, &departure, &hit, probe);
+        if !self.plan.lamp_views.is_empty() {
+            let light = self.lamplight(ray, entry, &departure, &hit, path.seed, probe);
+            local = (local + light).saturated();
+        }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
 
@@ -108,6 +115,7 @@ impl<'a> Tracer<'a> {
                 travelled,
                 weight: path.weight * share.largest(),
                 errors: errors.behind(surface),
+                seed: path.seed.wrapping_add(1),
             };
             let uncalled = path.weight == 0.0 && everything;
             if !(uncalled || self.is_worth_following(&path, divisor, budget, probe)) {
