@@ -21,6 +21,8 @@ pub(super) enum Shield {
         radius: f64,
         lamp: (DVec3, f64),
     },
+    /// One that is behind the lamp.
+    Behind,
     /// One of which nothing is known.
     Unknown,
 }
@@ -72,13 +74,23 @@ impl Shield {
                 borders: Border::all(&surface.outline(), corners),
             };
         }
-        surface
-            .round()
-            .map_or(Self::Unknown, |[center, axes]| Self::Ball {
-                center,
-                radius: axes.max_element(),
-                lamp: (lamp.center().world(), lamp.reach()),
-            })
+        let Some([center, axes]) = surface.round() else {
+            return Self::Unknown;
+        };
+        let radius = axes.max_element();
+        let is_behind = lamp.flat().is_some_and(|flat| {
+            let (way, size) = Point::exact(center).seen_from(flat.point);
+            let base = Point::exact(flat.point).size();
+            flat.normal.dot(way) + radius < -BLUR * (size + base + radius) - flat.slack()
+        });
+        if is_behind {
+            return Self::Behind;
+        }
+        Self::Ball {
+            center,
+            radius,
+            lamp: (lamp.center().world(), lamp.reach()),
+        }
     }
 
     /// Whether all of a lamp is certainly outside of this, if it is round.
@@ -114,6 +126,7 @@ impl Shield {
                     Stand::Doubtful
                 }
             }
+            Self::Behind => Stand::Beside,
             Self::Unknown => Stand::Doubtful,
         }
     }
