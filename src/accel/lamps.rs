@@ -16,7 +16,7 @@ pub struct LampView<'a> {
     /// Lists of them, by their places, of which each serves one surface or more.
     lists: Vec<Vec<usize>>,
     /// For every surface which of the lists counts for it; `None` if nothing of the lamp is before
-    /// its plane.
+    /// its plane, or nothing of it before the lamp's.
     list_of: Vec<Option<usize>>,
     /// Whether places are asked where the answer is known.
     asks_all: bool,
@@ -115,7 +115,7 @@ impl<'a> LampView<'a> {
             asks_all,
         };
         for (index, receiver) in bodies.iter().enumerate() {
-            if !body.is_before(receiver) {
+            if !(body.is_before(receiver) && receiver.is_before(&body)) {
                 continue;
             }
             view.list_of[index] = Some(0);

@@ -54,6 +54,8 @@ impl Lamp {
 
     const PANE: [&'static str; 4] = ["point", "normal", "xdir", "dimensions"];
     const GLOBE: [&'static str; 2] = ["center", "radius"];
+    const PANE_HAS: &'static str = "a rectangle has `point`, `normal`, `xdir` and `dimensions`";
+    const GLOBE_HAS: &'static str = "a ball has `center` and `radius`";
 
     /// The `lamp` node of the scene language.
     pub const SCHEMA: Schema = Schema {
@@ -295,31 +297,24 @@ fn is_pane(node: &Node) -> Result<bool, Refusal> {
         let mut words = words.iter();
         words.find(|word| node.entry(word).is_some()).copied()
     };
-    let (words, what) = match (given(&Lamp::PANE), given(&Lamp::GLOBE)) {
-        (Some(_), None) => (&Lamp::PANE[..], "rectangle"),
-        (None, Some(_)) => (&Lamp::GLOBE[..], "ball"),
+    let (words, they) = match (given(&Lamp::PANE), given(&Lamp::GLOBE)) {
+        (Some(_), None) => (&Lamp::PANE[..], Lamp::PANE_HAS),
+        (None, Some(_)) => (&Lamp::GLOBE[..], Lamp::GLOBE_HAS),
         (None, None) => {
-            let advice = "give `point`, `normal`, `xdir` and `dimensions` for a rectangle, or \
-                          `center` and `radius` for a ball";
+            let advice = format!("{}, {}", Lamp::PANE_HAS, Lamp::GLOBE_HAS);
             return Err(Refusal::new("lamp", "the lamp has no shape", advice)
                 .expected("expected a rectangle or a ball between its braces"));
         }
         (Some(pane), Some(globe)) => {
             let reason = format!("the lamp has both `{pane}` and `{globe}`");
-            let advice = format!(
-                "a rectangle has {}, a ball has {}; keep one of them",
-                "`point`, `normal`, `xdir` and `dimensions`", "`center` and `radius`"
-            );
+            let advice = format!("{}, {}; keep one", Lamp::PANE_HAS, Lamp::GLOBE_HAS);
             return Err(Refusal::new(globe, reason, advice).expected("expected only one shape"));
         }
     };
-    let lacks = words.iter().find(|word| node.entry(word).is_none());
-    if let Some(lacks) = lacks {
+    if let Some(lacks) = words.iter().find(|word| node.entry(word).is_none()) {
         let reason = format!("the lamp has no `{lacks}`");
-        let all: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
-        let advice = format!("a lamp that is a {what} has {}", all.join(", "));
         let expected = format!("expected `{lacks}` between its braces");
-        return Err(Refusal::new(lacks, reason, advice).expected(expected));
+        return Err(Refusal::new(lacks, reason, they).expected(expected));
     }
     Ok(words.len() == Lamp::PANE.len())
 }
