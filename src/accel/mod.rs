@@ -1,11 +1,14 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
+mod lamps;
 mod receivers;
 mod shade;
 mod shadows;
+mod shields;
 mod sight;
 mod supports;
 
+pub use lamps::{Between, Casters, LampView};
 pub use shadows::LightView;
 pub use sight::Sight;
 pub use supports::supports;

@@ -104,6 +104,12 @@ impl Flat {
         })
     }
 
+    /// How far at most its point lies from the plane that decides, and what underflow can add.
+    #[must_use]
+    pub(crate) fn slack(&self) -> f64 {
+        self.slack
+    }
+
     /// The normal by which heights are decided.
     #[must_use]
     pub fn decisive_normal(&self) -> DVec3 {

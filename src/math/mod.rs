@@ -9,6 +9,7 @@ mod crossing;
 mod decisions;
 pub mod exact;
 mod flat;
+pub mod form_factor;
 mod frame;
 mod grid;
 mod line;
