@@ -71,7 +71,7 @@ impl Rectangle {
             *border = line;
             // A border is straight, so nowhere is it further off than at one of its ends.
             for end in ends {
-                let apart = line.inward(&corners[end], flat.normal).abs();
+                let apart = line.apart(&corners[end], &flat);
                 welded.slack = welded.slack.max(self.slack + apart.next_up());
             }
         }
@@ -134,13 +134,13 @@ impl Rectangle {
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
         let exactly = || {
-            let (normal, corners) = (self.flat.decisive_normal(), || self.exact_corners().into());
-            inside_all(&self.borders, corners, ray, normal, crossing)
+            let corners = || self.exact_corners().into();
+            inside_all(&self.borders, corners, ray, &self.flat, crossing)
         };
 
         let x = self.frame.y.dot(moment) * sign;
         let y = -self.frame.x.dot(moment) * sign;
-        if crossing.at_start.is_some() {
+        if crossing.is_delicate() {
             return exactly().then(|| DVec2::new(x, y));
         }
         let beyond_x = self.size.x * scale - x;
@@ -154,6 +154,11 @@ impl Rectangle {
         let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
         let inside = if certain { true } else { exactly() };
         inside.then(|| DVec2::new(x, y))
+    }
+
+    /// How far at most the lines that decide lie from its own borders and its plane.
+    pub(crate) fn slack(&self) -> f64 {
+        self.slack
     }
 
     /// The lines that decide its borders: left, right, bottom and top.

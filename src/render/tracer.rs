@@ -1,6 +1,6 @@
 //! The colour along one ray.
 
-use crate::accel::{Entry, LightView, Sight, SurfaceList};
+use crate::accel::{Accelerator, Entry, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::light::Light;
@@ -22,7 +22,8 @@ pub struct Tracer<'a> {
     scene: &'a Scene,
     camera: Camera,
     surfaces: SurfaceList<'a>,
-    /// What the camera sees where; `None` if the numerics cannot prove that it does not see more.
+    /// What the camera sees where; `None` if the numerics cannot prove that it does not see more, or if a
+    /// tree knows better.
     sight: Option<Sight<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     light_views: Vec<LightView<'a>>,
@@ -57,7 +58,8 @@ impl<'a> Tracer<'a> {
             Some(classic) => SurfaceList::without_sheets(classic),
         };
         let lights = scene.lights.iter().map(|light| light.location);
-        let sight = classic.is_none().then(|| Sight::new(&surfaces, &camera));
+        let all_asked = surfaces.accelerator() == Accelerator::List;
+        let sight = (classic.is_none() && all_asked).then(|| Sight::new(&surfaces, &camera));
         Ok(Self {
             scene,
             camera,
