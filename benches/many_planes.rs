@@ -11,8 +11,9 @@ use std::fmt::Write;
 use std::time::Instant;
 
 use heliodon::accel::{Accelerator, SurfaceList};
+use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::accelerated;
+use heliodon::render::{Counts, drawn};
 use heliodon::{measure, scene::Scene};
 
 const LONGEST_LIST: usize = 10_000;
@@ -75,7 +76,9 @@ fn load(text: String) -> Scene {
 
 /// The seconds that a picture takes, and how many surfaces are asked for each ray.
 fn rendered(scene: &Scene, accelerator: Accelerator) -> Result<(f64, f64), Box<dyn Error>> {
-    let (made, seconds) = timed(|| accelerated(scene, accelerator, &|_| ()));
+    let plan = Plan::with(scene, None, Scope::CalledFor, accelerator);
+    let plan = plan.map_err(|refusal| refusal.reason)?;
+    let (made, seconds) = timed(|| drawn::<Counts>(&plan, &|_| ()));
     let (_, counts) = made.map_err(|refusal| refusal.reason)?;
     let tests = counts.hit_tests + counts.occlusion_tests;
     Ok((seconds, tests as f64 / counts.rays() as f64))

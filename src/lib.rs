@@ -33,8 +33,9 @@
 //! ```text
 //! 9  cli        arguments, messages, exit codes: one file per command
 //! 8  measure    answers about scenes and pictures
-//! 7  render     Scene -> Film: the colour along one ray
-//! 6  read       text -> Scene (KDL, the course's block grammar)
+//! 7  render     Plan -> Film: the colour along one ray
+//! 6  plan       what of a scene is simulated, and why
+//!    read       text -> Scene (KDL, the course's block grammar)
 //! 5  scene      picture, view, lights, Vec<Box<dyn Surface>>
 //! 4  light      what illuminates          accel   which surface is nearest
 //! 3  surface    what a ray can hit: one file each
@@ -54,6 +55,7 @@ pub mod light;
 pub mod material;
 pub mod math;
 pub mod measure;
+pub mod plan;
 pub mod read;
 pub mod render;
 pub mod scene;

@@ -13,7 +13,7 @@ const FLOORS: &[&[&str]] = &[
     &["surface"],
     &["light", "accel"],
     &["scene"],
-    &["read"],
+    &["read", "plan"],
     &["render"],
     &["measure"],
     &["cli", "doctest"],

@@ -49,18 +49,23 @@ struct Caster<'a> {
 const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
-    /// What lights at these places have before them.
+    /// What lights at these places have before them. Without `elides` every surface is asked for
+    /// every shadow, even if it is proven to cast none.
     #[must_use]
-    pub fn all(surfaces: &SurfaceList<'a>, lights: impl Iterator<Item = DVec3>) -> Vec<Self> {
-        let each = surfaces.entries().len() <= MOST_LISTS;
+    pub fn all(
+        surfaces: &SurfaceList<'a>,
+        lights: impl Iterator<Item = DVec3>,
+        elides: bool,
+    ) -> Vec<Self> {
+        let each = elides && surfaces.entries().len() <= MOST_LISTS;
         let bodies = surfaces.entries().iter().filter(|_| each).map(Body::of);
         let bodies: Vec<_> = bodies.collect();
-        let view = |light| Self::new(surfaces, &bodies, light);
+        let view = |light| Self::new(surfaces, each.then_some(&bodies), light);
         lights.map(view).collect()
     }
 
     /// What a light at this place has before it.
-    fn new(surfaces: &SurfaceList<'a>, bodies: &[Body], light: DVec3) -> Self {
+    fn new(surfaces: &SurfaceList<'a>, bodies: Option<&Vec<Body>>, light: DVec3) -> Self {
         let location = Point::exact(light);
         let mut clear_sheets = HashSet::new();
         let casters: Vec<_> = surfaces
@@ -82,10 +87,6 @@ impl<'a> LightView<'a> {
                 }
             })
             .collect();
-        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
-            let body = &bodies[caster.entry.index];
-            body.can_hide(light, caster.side, &bodies[from.index])
-        };
         let lit: Vec<_> = surfaces
             .entries()
             .iter()
@@ -99,7 +100,7 @@ impl<'a> LightView<'a> {
             list_of: vec![None; surfaces.entries().len()],
             tree: None,
         };
-        if surfaces.entries().len() > MOST_LISTS {
+        let Some(bodies) = bodies else {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
@@ -115,13 +116,31 @@ impl<'a> LightView<'a> {
             });
             view.casters.push(casters);
             return view;
-        }
+        };
+        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
+            let body = &bodies[caster.entry.index];
+            body.can_hide(light, caster.side, &bodies[from.index])
+        };
         for entry in lit {
             view.list_of[entry.index] = Some(view.casters.len());
             let own = casters.iter().filter(|caster| hides(caster, entry));
             view.casters.push(own.copied().collect());
         }
         view
+    }
+
+    /// Forgets the surfaces, by their places in the list, that the light is not to light.
+    pub fn retain(&mut self, lights: impl Fn(usize) -> bool) {
+        for (surface, list) in self.list_of.iter_mut().enumerate() {
+            *list = list.filter(|_| lights(surface));
+        }
+    }
+
+    /// The surfaces, by their places in the list, that can stand between the light and this one.
+    #[must_use]
+    pub fn casters_of(&self, surface: usize) -> Vec<usize> {
+        let list = self.list_of[surface].map_or(&[][..], |list| &self.casters[list]);
+        list.iter().map(|caster| caster.entry.index).collect()
     }
 
     /// Whether light from here can reach the front of a surface at all.
@@ -163,6 +182,9 @@ impl<'a> LightView<'a> {
         else {
             return passed(casters.iter().filter(|caster| hides(caster)), segment);
         };
+        if casters.is_empty() {
+            return Rgb::WHITE;
+        }
         let mut in_the_way = Vec::new();
         let mut blocked = false;
         // There is no end: a light that is a rounding off a plane may have the crossing anywhere.

@@ -12,6 +12,7 @@ mod messages;
 mod output;
 mod progress;
 mod render;
+mod stats;
 mod status;
 mod welds;
 

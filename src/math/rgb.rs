@@ -31,6 +31,12 @@ impl Rgb {
         self.r.max(self.g).max(self.b)
     }
 
+    /// The largest of the three channels, whichever sign it has.
+    #[must_use]
+    pub fn largest(self) -> f64 {
+        self.r.abs().max(self.g.abs()).max(self.b.abs())
+    }
+
     /// Whether every channel is zero.
     #[must_use]
     pub fn is_black(self) -> bool {

@@ -2,7 +2,7 @@
 
 use std::iter::Sum;
 
-use super::{Counts, Probe};
+use super::{Counts, Probe, RayKind, Unfollowed};
 use crate::math::{Decisions, UNIT};
 use crate::surface::{Hit, Surface};
 
@@ -59,41 +59,34 @@ pub struct Certificate {
 }
 
 impl Probe for Certificate {
-    fn camera_ray(&mut self) {
-        self.counts.camera_ray();
+    fn ray(&mut self, kind: RayKind) {
+        self.counts.ray(kind);
     }
 
-    fn shadow_ray(&mut self) {
-        self.counts.shadow_ray();
+    fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
+        self.counts.not_followed(kind, why);
     }
 
-    fn mirror_ray(&mut self) {
-        self.counts.mirror_ray();
-    }
-
-    fn transmitted_ray(&mut self) {
-        self.counts.transmitted_ray();
-    }
-
-    fn hit_tests(&mut self, count: u64) {
-        self.counts.hit_tests(count);
-    }
-
-    fn occlusion_tests(&mut self, count: u64) {
-        self.counts.occlusion_tests(count);
-    }
-
-    fn decisions(&mut self, decisions: Decisions) {
-        self.counts.decisions(decisions);
-    }
-
-    fn hit(&mut self, errors: Errors) {
+    fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
+        self.counts.met(surface, hit, errors);
         let largest = if errors.bounces == 0 {
             &mut self.largest_error
         } else {
             &mut self.largest_bounced_error
         };
         *largest = largest.max(errors.place);
+    }
+
+    fn hit_tests(&mut self, count: u64) {
+        self.counts.hit_tests(count);
+    }
+
+    fn occlusion_tests(&mut self, light: usize, count: u64) {
+        self.counts.occlusion_tests(light, count);
+    }
+
+    fn decisions(&mut self, decisions: Decisions) {
+        self.counts.decisions(decisions);
     }
 }
 

@@ -3,10 +3,11 @@
 mod errors;
 mod probe;
 mod samples;
+mod shading;
 mod tracer;
 
 pub use errors::{Certificate, Errors};
-pub use probe::{Counts, Probe};
+pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use samples::samples;
 pub use tracer::Tracer;
 
@@ -18,6 +19,7 @@ use rayon::prelude::*;
 use crate::film::Film;
 use crate::language::Refusal;
 use crate::math::{Decisions, Rgb};
+use crate::plan::{Plan, Scope};
 use crate::scene::Scene;
 use crate::surface::classic;
 
@@ -29,7 +31,7 @@ use crate::surface::classic;
 /// # Errors
 /// Refuses a camera that cannot exist and a picture that memory cannot hold.
 pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
-    observed(scene, progress)
+    observed(scene, Scope::CalledFor, progress)
 }
 
 /// Renders a scene like [`render`], and finds out how right the picture is.
@@ -40,15 +42,32 @@ pub fn certify(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, Certificate), Refusal> {
-    observed(scene, progress)
+    observed(scene, Scope::CalledFor, progress)
 }
 
-fn observed<P: Probe + Default + Send + Sum>(
+/// Renders a scene with an onlooker of any kind for each row of pixels, and adds up what they saw;
+/// neither the film nor the sum depends on the number of threads.
+///
+/// # Errors
+/// As [`render`].
+pub fn observed<P: Probe + Default + Send + Sum>(
     scene: &Scene,
+    scope: Scope,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
-    let tracer = Tracer::new(scene, classic.as_deref())?;
+    drawn(&Plan::new(scene, classic.as_deref(), scope)?, progress)
+}
+
+/// Renders a scene as it is planned; for the rest as [`observed`].
+///
+/// # Errors
+/// Refuses a picture that memory cannot hold.
+pub fn drawn<P: Probe + Default + Send + Sum>(
+    plan: &Plan<'_>,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
+    let (scene, tracer) = (plan.scene, Tracer::new(plan));
     let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
     let mut film = Film::new(width, height).ok_or_else(|| {
         let reason = format!("there is no memory for {width} by {height} pixels");
@@ -61,7 +80,7 @@ fn observed<P: Probe + Default + Send + Sum>(
             let mut probe = P::default();
             let before = Decisions::of_this_thread();
             for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(&tracer, scene, column, row, &mut probe);
+                *pixel = pixel_color(tracer, scene, column, row, &mut probe);
             }
             probe.decisions(Decisions::of_this_thread() - before);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
@@ -73,7 +92,7 @@ fn observed<P: Probe + Default + Send + Sum>(
 
 /// The mean of a pixel's samples, unclamped, summed in their order.
 fn pixel_color(
-    tracer: &Tracer<'_>,
+    tracer: Tracer<'_>,
     scene: &Scene,
     column: usize,
     row: usize,

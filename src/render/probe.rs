@@ -3,26 +3,75 @@
 use std::iter::Sum;
 
 use super::Errors;
-use crate::math::Decisions;
+use crate::math::{Decisions, Rgb};
+use crate::surface::Hit;
+
+/// The kinds of rays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the eye.
+    Camera,
+    /// From a surface to a light.
+    Shadow,
+    /// Mirrored by a surface.
+    Mirror,
+    /// Straight through a surface.
+    Transmitted,
+}
+
+/// Why a ray is not followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unfollowed {
+    /// The way from the eye is longer than the scene's `reach`.
+    BeyondReach,
+    /// It could add no more than this to its pixel, which the `cut-off` allows to lack.
+    TooFaint(f64),
+    /// Its ray from the eye has caused as many others as it may; it could have added this much.
+    Capped(f64),
+}
+
+/// What arrives at a surface from a light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Arrival {
+    /// The plan says that the light cannot light the surface.
+    Unplanned,
+    /// The light is behind the surface.
+    Behind,
+    /// The beam passes by.
+    OutsideBeam,
+    /// Something stands in the way.
+    Hidden,
+    /// This light; no ray was needed to know that nothing stands in the way if it is `unasked`.
+    Light {
+        /// What arrives.
+        color: Rgb,
+        /// Whether the plan says that nothing can stand in the way.
+        unasked: bool,
+    },
+}
 
 /// Someone who is told what the tracer does. `()` does not listen and costs nothing.
 pub trait Probe {
-    /// A ray from the eye.
-    fn camera_ray(&mut self) {}
-    /// A ray from a surface to a light.
-    fn shadow_ray(&mut self) {}
-    /// A ray mirrored by a surface.
-    fn mirror_ray(&mut self) {}
-    /// A ray straight through a surface.
-    fn transmitted_ray(&mut self) {}
+    /// A ray sets out.
+    fn ray(&mut self, _kind: RayKind) {}
+    /// A ray does not set out.
+    fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
+    /// The ray that set out last and has not come back yet meets the surface with this place in the
+    /// list, and how far off that may be.
+    fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
+    /// What one of the scene's lights adds where that ray has met a surface.
+    fn light(&mut self, _light: usize, _arrival: Arrival) {}
+    /// What the surface itself sends back to the eye: its ambient colour and that of all lights,
+    /// faded.
+    fn own_color(&mut self, _color: Rgb) {}
+    /// That ray comes back with this colour, before its surface takes its share.
+    fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
     fn hit_tests(&mut self, _count: u64) {}
-    /// Surfaces that were asked whether they hide a light.
-    fn occlusion_tests(&mut self, _count: u64) {}
+    /// Surfaces that were asked whether they hide one of the scene's lights.
+    fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
-    /// A hit, with how far off it may be.
-    fn hit(&mut self, _errors: Errors) {}
 }
 
 impl Probe for () {}
@@ -38,6 +87,11 @@ pub struct Counts {
     pub mirror_rays: u64,
     /// Rays through surfaces.
     pub transmitted_rays: u64,
+    /// Rays that were not followed because they could add no more than the `cut-off` allows a pixel
+    /// to lack.
+    pub faint_rays: u64,
+    /// Rays that were not followed because a ray from the eye may cause only so many.
+    pub capped_rays: u64,
     /// Surfaces that were asked whether a ray meets them.
     pub hit_tests: u64,
     /// Surfaces that were asked whether they hide a light.
@@ -55,27 +109,28 @@ impl Counts {
 }
 
 impl Probe for Counts {
-    fn camera_ray(&mut self) {
-        self.camera_rays += 1;
+    fn ray(&mut self, kind: RayKind) {
+        match kind {
+            RayKind::Camera => self.camera_rays += 1,
+            RayKind::Shadow => self.shadow_rays += 1,
+            RayKind::Mirror => self.mirror_rays += 1,
+            RayKind::Transmitted => self.transmitted_rays += 1,
+        }
     }
 
-    fn shadow_ray(&mut self) {
-        self.shadow_rays += 1;
-    }
-
-    fn mirror_ray(&mut self) {
-        self.mirror_rays += 1;
-    }
-
-    fn transmitted_ray(&mut self) {
-        self.transmitted_rays += 1;
+    fn not_followed(&mut self, _kind: RayKind, why: Unfollowed) {
+        match why {
+            Unfollowed::Capped(_) => self.capped_rays += 1,
+            Unfollowed::TooFaint(missed) if missed > 0.0 => self.faint_rays += 1,
+            Unfollowed::TooFaint(_) | Unfollowed::BeyondReach => {}
+        }
     }
 
     fn hit_tests(&mut self, count: u64) {
         self.hit_tests += count;
     }
 
-    fn occlusion_tests(&mut self, count: u64) {
+    fn occlusion_tests(&mut self, _light: usize, count: u64) {
         self.occlusion_tests += count;
     }
 
@@ -91,6 +146,8 @@ impl Sum for Counts {
             shadow_rays: sum.shadow_rays + next.shadow_rays,
             mirror_rays: sum.mirror_rays + next.mirror_rays,
             transmitted_rays: sum.transmitted_rays + next.transmitted_rays,
+            faint_rays: sum.faint_rays + next.faint_rays,
+            capped_rays: sum.capped_rays + next.capped_rays,
             hit_tests: sum.hit_tests + next.hit_tests,
             occlusion_tests: sum.occlusion_tests + next.occlusion_tests,
             decisions: sum.decisions + next.decisions,

@@ -15,7 +15,8 @@ pub struct Picture {
     pub samples: u32,
     /// How intensities become code values.
     pub rounding: Rounding,
-    /// Mirrored and transmitted rays whose weight has fallen below this are not followed.
+    /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed
+    /// for ever; by default a quarter of a code value of 255.
     pub cut_off: f64,
     /// What decides where rays meet surfaces.
     pub numerics: Numerics,
@@ -60,9 +61,10 @@ impl Picture {
             Attribute::new(
                 "cut-off",
                 Takes::Number(Range::Between(0.0, 1.0)),
-                "weight below which mirrored and transmitted rays are not followed; 0 for never",
+                "how much intensity a pixel may lack because mirrored and transmitted rays are \
+                 not followed for ever",
             )
-            .or(Default::Number(0.000_5)),
+            .or(Default::Number(0.000_98)),
             Attribute::new(
                 "numerics",
                 Takes::Word(&Numerics::WORDS),

@@ -36,6 +36,8 @@ pub enum Shader {
 
 impl Shader {
     const WORDS: [&'static str; 2] = ["stripes", "color-wheel"];
+    /// The largest channel of any of its colours.
+    const LARGEST: f64 = 2.0;
 
     /// The shader with this word.
     #[must_use]
@@ -64,6 +66,7 @@ impl Shader {
                 }
             }
             Self::ColorWheel => {
+                // From 0 to `LARGEST`.
                 let angle = libm::atan2(y, x);
                 let wave = |phase: f64| 1.0 + libm::cos(2.0 * angle + phase);
                 Rgb::new(wave(0.0), wave(2.0 * PI / 3.0), wave(4.0 * PI / 3.0))
@@ -140,6 +143,11 @@ impl Surface for ProceduralPlane {
     fn getamb(&self, hit: &Hit) -> Rgb {
         let place = hit.point.offset;
         self.plane.getamb(hit) * self.shader.at(place.x, place.y)
+    }
+
+    fn brightest(&self) -> [f64; 2] {
+        let [ambient, diffuse] = self.plane.brightest();
+        [ambient * Shader::LARGEST, diffuse]
     }
 }
 

@@ -242,4 +242,16 @@ impl Surface for TiledPlane {
     fn getdiff(&self, hit: &Hit) -> Rgb {
         self.color_at(hit, |material| material.diffuse)
     }
+
+    fn brightest(&self) -> [f64; 2] {
+        let both = [&self.plane.common().material, &self.alternate];
+        let largest = |color: fn(&Material) -> Rgb| {
+            let channels = both.map(|material| color(material).largest());
+            channels[0].max(channels[1])
+        };
+        [
+            largest(|material| material.ambient),
+            largest(|material| material.diffuse),
+        ]
+    }
 }

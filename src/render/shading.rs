@@ -1,0 +1,96 @@
+//! What a surface sends back of the light that falls on it.
+
+use crate::accel::{Entry, LightView};
+use crate::light::Light;
+use crate::math::{Departure, Ray, Rgb, Segment};
+use crate::plan::Scope;
+use crate::surface::Hit;
+
+use super::{Arrival, Probe, RayKind, Tracer};
+
+impl Tracer<'_> {
+    /// What the surface itself sends back along a ray: ambient, and the light of every light.
+    pub(super) fn local_color(
+        &self,
+        ray: &Ray,
+        entry: &Entry<'_>,
+        departure: &Departure<'_>,
+        hit: &Hit,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let surface = entry.surface;
+        let mut color = surface.getamb(hit);
+        if self.plan.scene.lights.is_empty() {
+            return color;
+        }
+        let diffuse = surface.getdiff(hit);
+        let lights = self.plan.scene.lights.iter().zip(&self.plan.light_views);
+        for (index, (light, view)) in lights.enumerate() {
+            if !view.lights(entry) {
+                probe.light(index, Arrival::Unplanned);
+                continue;
+            }
+            let Some(mut segment) = Segment::new(departure, light.location) else {
+                continue;
+            };
+            let cosine = segment.ray.dir.dot(hit.normal);
+            if cosine <= 0.0 {
+                probe.light(index, Arrival::Behind);
+                continue;
+            }
+            segment.span = self.plan.camera.span(&segment.ray);
+            let arrival = self.arrival(entry, (index, light), view, &segment, probe);
+            probe.light(index, arrival);
+            let Arrival::Light {
+                color: arriving, ..
+            } = arrival
+            else {
+                continue;
+            };
+            let divisor = self.plan.scene.lighting.falloff.divisor(segment.length);
+            color = (color + diffuse * arriving * (cosine / divisor)).saturated();
+
+            let material = &surface.common().material;
+            if material.has_glints() || self.plan.scope == Scope::Everything {
+                // Halfway between the directions to the eye and to the light (Blinn 1977,
+                // "Models of light reflection for computer synthesized pictures").
+                let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
+                let alignment = halfway.dot(hit.normal).clamp(0.0, 1.0);
+                let glint = libm::pow(alignment, material.shininess);
+                color = (color + arriving * material.specular * glint).saturated();
+            }
+        }
+        color
+    }
+
+    /// What arrives from a light at the start of a segment to it.
+    fn arrival(
+        &self,
+        entry: &Entry<'_>,
+        (index, light): (usize, &Light),
+        view: &LightView<'_>,
+        segment: &Segment,
+        probe: &mut impl Probe,
+    ) -> Arrival {
+        let Some(leaving) = light.towards(segment) else {
+            return Arrival::OutsideBeam;
+        };
+        if !(entry.surface.common().shadows.receive && view.can_be_hidden_from(entry)) {
+            return Arrival::Light {
+                color: leaving,
+                unasked: true,
+            };
+        }
+        probe.ray(RayKind::Shadow);
+        let mut tests = 0;
+        let passed = view.transmittance(entry, segment, &mut tests);
+        probe.occlusion_tests(index, tests);
+        if passed.is_black() {
+            return Arrival::Hidden;
+        }
+        Arrival::Light {
+            color: leaving * passed,
+            unasked: false,
+        }
+    }
+}

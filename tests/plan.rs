@@ -1,0 +1,4 @@
+//! What a plan leaves out, and how it bounds what it does not follow.
+
+#[path = "plan/tail.rs"]
+mod tail;
