@@ -1,6 +1,7 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod accelerator;
+mod overlaps;
 mod reach;
 mod receivers;
 mod shadows;
@@ -11,6 +12,7 @@ mod supports;
 mod tree;
 
 pub use accelerator::Accelerator;
+pub use overlaps::Overlaps;
 pub use shadows::LightView;
 pub use sight::Sight;
 pub use supports::supports;

@@ -32,7 +32,8 @@ const COST_OF_BOX: f64 = 0.7;
 /// Boxes to be made: the place of the node, its items, and its depth.
 type Task = (usize, std::ops::Range<usize>, usize);
 
-/// The nodes of a tree, the root first; the items are put into the order of the leaves.
+/// The nodes of a tree, the root first; the items are put into the order of the leaves, and in a leaf they
+/// keep their own.
 ///
 /// Cuts are chosen by the surface area heuristic, in bins along each axis (Wald 2007, "On fast
 /// Construction of SAH-based Bounding Volume Hierarchies").
@@ -46,6 +47,7 @@ pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
     while let Some((place, range, depth)) = tasks.pop() {
         let bounds = nodes[place].bounds;
         let Some(left) = cut(&mut items[range.clone()], &bounds, depth) else {
+            items[range].sort_unstable_by_key(|item| item.index);
             continue;
         };
         let middle = range.start + left;

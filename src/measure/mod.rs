@@ -1,5 +1,6 @@
 //! Answers about scenes and pictures.
 
 mod check;
+mod coincident;
 
 pub use check::check;
