@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::band::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
 use super::exact::ExactVector;
 use super::line::inside_all;
-use super::{Blueprint, Crossing, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
+use super::{Blueprint, Crossing, ExactFrame, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -32,7 +32,8 @@ impl Rectangle {
     /// zero.
     pub fn new(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Result<Self, Refusal> {
         let flat = Flat::new(corner, normal)?;
-        let frame = Frame::new(normal, xdir)?;
+        let exact = ExactFrame::new(normal, xdir);
+        let frame = Frame::of(xdir, &exact)?;
         if !(size.is_finite() && size.min_element() > 0.0) {
             return Err(Refusal::new(
                 "dimensions",
@@ -46,7 +47,7 @@ impl Rectangle {
             Line::new(corner, -frame.x, 0.0),
             Line::new(corner, frame.x, size.y),
         ];
-        let blueprint = Blueprint::rectangle(corner, normal, xdir, size);
+        let blueprint = Blueprint::framed(corner, exact, size);
         for (border, exact) in borders.iter_mut().zip(&blueprint.borders) {
             *border = exact.exact_line(&blueprint.normal).unwrap_or(*border);
         }
@@ -64,6 +65,9 @@ impl Rectangle {
     pub fn welded(self, to: &Flat, borders: [Option<Line>; 4]) -> Self {
         let flat = self.flat.welded(to);
         let mut welded = Self { flat, ..self };
+        if borders.iter().all(Option::is_none) {
+            return welded;
+        }
         let ends = [[0, 3], [1, 2], [0, 1], [3, 2]];
         let corners = self.exact_corners();
         for ((border, line), ends) in welded.borders.iter_mut().zip(borders).zip(ends) {
