@@ -25,7 +25,7 @@ mod vector;
 pub use band::UNIT;
 pub use blueprint::{Blueprint, Border};
 pub use bounds::Bounds;
-pub use crossing::Crossing;
+pub use crossing::{Crossing, Grazing};
 pub use decisions::Decisions;
 pub use flat::Flat;
 pub use frame::{ExactFrame, Frame};

@@ -116,7 +116,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// The distance at which a ray meets the surface, exactly: for hits whose order is in doubt.
     ///
-    /// `None` if the surface has no exact arithmetic; such hits are ordered as computed.
+    /// `None` if the surface has no exact arithmetic; such hits are ordered as computed, and the
+    /// surface must have no [`bounds`](Self::bounds).
     fn exact_distance(&self, _ray: &Ray) -> Option<Distance> {
         None
     }
@@ -129,6 +130,12 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The lines that decide the borders of a flat surface, in the order of its blueprint.
     fn borders(&self) -> Vec<Line> {
         Vec::new()
+    }
+
+    /// How far at most the lines that decide its borders lie from those between its corners, and from
+    /// its plane.
+    fn slack(&self) -> f64 {
+        0.0
     }
 
     /// Takes over the plane and the border lines that a flat surface shares with others.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use glam::DVec3;
-use heliodon::accel::SurfaceList;
+use heliodon::accel::{Accelerator, LightView, SurfaceList};
 use heliodon::math::{Departure, Point, Ray, Segment, Side, Span};
 use heliodon::surface::Surface;
 
@@ -42,6 +42,19 @@ pub(crate) fn meeting(random: &mut Random, tallies: &mut Tallies, shares: Shares
     let surface = cases::surface(random, style, scale);
     let (ray, aimed) = cases::ray(random, &*surface, style, scale);
     check_meeting(&*surface, &ray, tallies.of(aimed), shares);
+    check_tree(&[surface], &ray, tallies.of(aimed));
+}
+
+/// A tree of boxes never leaves out what is met: it finds what a list does.
+fn check_tree(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
+    let found = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
+        let list = SurfaceList::with(surfaces, accelerator);
+        let found = list.nearest(ray, Span::AHEAD, &mut 0);
+        found.map(|(entry, hit)| (entry.index, hit))
+    });
+    if found[0] != found[1] {
+        tally.wrong(|| format!("the tree loses {ray:?} and {surfaces:?}"));
+    }
 }
 
 /// Compares one ray and one surface.
@@ -136,6 +149,7 @@ fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
             exact = Some((index, distance));
         }
     }
+    check_tree(surfaces, ray, tally);
     let list = SurfaceList::new(surfaces);
     let decided = tally.observe(|| {
         list.nearest(ray, Span::AHEAD, &mut 0)
@@ -189,6 +203,15 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     tally.compare(&decided, &exact, exact, || {
         format!("{segment:?} and {surface:?}")
     });
+    let surfaces = [surface];
+    let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
+        let list = SurfaceList::with(&surfaces, accelerator);
+        let view = LightView::all(&list, std::iter::once(end), false).remove(0);
+        view.transmittance(&list.entries()[0], &segment, &mut 0)
+    });
+    if passed[0] != passed[1] {
+        tally.wrong(|| format!("the tree loses the shadow of {segment:?} and {surfaces:?}"));
+    }
 }
 
 /// A surface that is decided by the plane and the line of a neighbour, which lie as far away as
@@ -208,6 +231,7 @@ pub(crate) fn welded(random: &mut Random, tallies: &mut Tallies) {
         format!("{:?} and {surface:?}", ray.origin)
     });
     check_meeting(&*surface, &ray, tally, &mut |_, _| ());
+    check_tree(&[surface], &ray, tally);
 }
 
 /// Whether the surface hides the ends of a segment from each other; `None` where the start is too
