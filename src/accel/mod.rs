@@ -13,7 +13,7 @@ pub use supports::supports;
 use std::cmp::Ordering;
 
 use crate::math::{Decisions, Flat, Ray, Span, Support};
-use crate::surface::{Hit, Surface};
+use crate::surface::{Common, Hit, Surface};
 
 /// The surfaces of a scene in file order: every one is asked.
 #[derive(Debug)]
@@ -30,6 +30,8 @@ pub struct Entry<'a> {
     pub support: Option<Support>,
     /// Its plane, if it is flat.
     pub flat: Option<&'a Flat>,
+    /// What it has like every surface.
+    pub common: &'a Common,
     /// Its place in the list.
     pub index: usize,
 }
@@ -61,6 +63,7 @@ impl<'a> SurfaceList<'a> {
                     surface,
                     support,
                     flat: surface.flat(),
+                    common: surface.common(),
                     index,
                 })
                 .collect(),
@@ -101,13 +104,16 @@ fn nearest<'e, 'a>(
         let Some(hit) = entry.surface.hits(ray, span) else {
             continue;
         };
-        if best.is_some_and(|(first, first_hit)| !entry.is_before(&hit, first, &first_hit, ray)) {
+        if let Some((first, first_hit)) = &best
+            && !entry.is_before(&hit, first, first_hit, ray)
+        {
             continue;
         }
         span = span.until(hit.t + hit.error);
         best = Some((entry, hit));
     }
-    best.map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
+    let (entry, hit) = best.as_ref()?;
+    Some((entry, entry.surface.settle(hit, ray)))
 }
 
 impl<'a> Entry<'a> {

@@ -66,7 +66,7 @@ impl<'a> LightView<'a> {
         let casters: Vec<_> = surfaces
             .entries()
             .iter()
-            .filter(|entry| entry.surface.common().shadows.cast)
+            .filter(|entry| entry.common.shadows.cast)
             .map(|entry| Caster {
                 shade: None,
                 entry: *entry,
@@ -154,12 +154,12 @@ impl<'a> LightView<'a> {
             {
                 continue;
             }
-            if entry.surface.common().material.transparency == 0.0 {
+            if entry.common.material.transparency == 0.0 {
                 return Rgb::BLACK;
             }
             crossed.extend(entry.support);
             if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
-                let hit = entry.surface.settle(hit, &segment.ray);
+                let hit = entry.surface.settle(&hit, &segment.ray);
                 passed = passed * entry.surface.transmits(&hit);
             }
         }

@@ -25,6 +25,10 @@ pub struct Flat {
     doubt: f64,
 }
 
+/// Rounded values do not decide.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct InDoubt;
+
 impl Flat {
     /// A plane through `point` with a normal of any length but zero.
     ///
@@ -213,27 +217,34 @@ impl Flat {
     #[must_use]
     #[inline(always)]
     pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        let certain = self.certain_crossing(ray);
+        certain.unwrap_or_else(|InDoubt| self.doubtful_crossing(ray))
+    }
+
+    /// Where a ray crosses the plane ahead, if it does, by rounded values; or that they leave doubt.
+    #[inline(always)]
+    pub(super) fn certain_crossing(&self, ray: &Ray) -> Result<Option<Crossing>, InDoubt> {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let slope = self.normal.dot(ray.dir);
+        let doubt = self.doubt + ray.doubt;
         let rises = slope > 0.0;
-        let crossing = Crossing {
-            origin,
-            height,
-            slope,
-            rises,
-            doubt: self.doubt + ray.doubt,
-            at_start: None,
-        };
-        if height.abs() > crossing.doubt + ray.astray && slope.abs() > SLOPE {
-            return (rises == (height > 0.0)).then_some(crossing);
+        if height.abs() > doubt + ray.astray && slope.abs() > SLOPE {
+            return Ok((rises == (height > 0.0)).then_some(Crossing {
+                origin,
+                height,
+                slope,
+                rises,
+                doubt,
+                at_start: None,
+            }));
         }
-        self.doubtful_crossing(ray, crossing)
+        Err(InDoubt)
     }
 
-    /// Whether the crossing lies ahead, where rounded values leave doubt.
+    /// Where a ray crosses the plane ahead, if it does, where rounded values leave doubt.
     #[cold]
-    fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
+    pub(super) fn doubtful_crossing(&self, ray: &Ray) -> Option<Crossing> {
         let exact = self.exact_slope(ray.dir);
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
@@ -242,11 +253,14 @@ impl Flat {
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
+        let origin = ray.origin.from(self.point);
         ahead.then_some(Crossing {
-            rises,
+            origin,
+            height: -self.normal.dot(origin),
             slope: if rises { steepness } else { -steepness },
+            rises,
+            doubt: self.doubt + ray.doubt,
             at_start,
-            ..crossing
         })
     }
 

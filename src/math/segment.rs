@@ -20,6 +20,7 @@ pub struct Segment<'a> {
 impl<'a> Segment<'a> {
     /// The segment from a hit to a scene point; `None` if they coincide.
     #[must_use]
+    #[inline]
     pub fn new(departure: &'a Departure<'a>, end: DVec3) -> Option<Self> {
         Self::along(departure.point, end, |dir| Ray::leaving(departure, dir))
     }
@@ -30,6 +31,7 @@ impl<'a> Segment<'a> {
         Self::along(start, end, |dir| Ray::new(start, dir))
     }
 
+    #[inline]
     fn along(start: Point, end: DVec3, ray: impl FnOnce(DVec3) -> Ray<'a>) -> Option<Self> {
         let way = -start.from(end);
         let length = way.length();

@@ -89,7 +89,7 @@ impl<'a> Tracer<'a> {
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Some((entry, hit)) = met else {
+        let Some((entry, hit)) = &met else {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
@@ -103,7 +103,7 @@ impl<'a> Tracer<'a> {
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
 
-        let material = &surface.common().material;
+        let material = &entry.common.material;
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
         let mut follow = |share: Rgb, dir, kind, probe: &mut _| {
             let path = Path {
