@@ -108,6 +108,20 @@ impl<'a> LightView<'a> {
         view
     }
 
+    /// Forgets the surfaces, by their places in the list, that the light is not to light.
+    pub fn retain(&mut self, lights: impl Fn(usize) -> bool) {
+        for (surface, list) in self.list_of.iter_mut().enumerate() {
+            *list = list.filter(|_| lights(surface));
+        }
+    }
+
+    /// The surfaces, by their places in the list, that can stand between the light and this one.
+    #[must_use]
+    pub fn casters_of(&self, surface: usize) -> Vec<usize> {
+        let list = self.list_of[surface].map_or(&[][..], |list| &self.casters[list]);
+        list.iter().map(|caster| caster.entry.index).collect()
+    }
+
     /// Whether light from here can reach the front of a surface at all.
     #[must_use]
     pub fn lights(&self, entry: &Entry<'_>) -> bool {

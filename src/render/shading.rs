@@ -3,6 +3,7 @@
 use crate::accel::{Entry, LightView};
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
+use crate::plan::Scope;
 use crate::surface::Hit;
 
 use super::{Arrival, Probe, RayKind, Tracer};
@@ -49,7 +50,8 @@ impl Tracer<'_> {
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &entry.common.material;
-            if material.shininess > 0.0 {
+            let everything = self.plan.scope == Scope::Everything;
+            if material.has_glints() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
@@ -81,7 +83,7 @@ impl Tracer<'_> {
                 unasked: true,
             };
         }
-        probe.ray(RayKind::Shadow);
+        probe.ray(RayKind::Shadow, Rgb::WHITE);
         let segment = Segment {
             span: self.plan.camera.span(&segment.ray),
             ..*segment
