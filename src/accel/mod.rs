@@ -101,16 +101,17 @@ fn nearest<'e, 'a>(
             continue;
         }
         *tests += 1;
-        let Some(hit) = entry.surface.hits(ray, span) else {
+        let met = entry.surface.hits(ray, span);
+        let Some(hit) = &met else {
             continue;
         };
         if let Some((first, first_hit)) = &best
-            && !entry.is_before(&hit, first, first_hit, ray)
+            && !entry.is_before(hit, first, first_hit, ray)
         {
             continue;
         }
         span = span.until(hit.t + hit.error);
-        best = Some((entry, hit));
+        best = Some((entry, *hit));
     }
     let (entry, hit) = best.as_ref()?;
     Some((entry, entry.surface.settle(hit, ray)))
