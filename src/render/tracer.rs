@@ -93,12 +93,12 @@ impl<'a> Tracer<'a> {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
-        let errors = path.errors.at(&hit);
-        probe.met(entry.index, &hit, errors);
+        let errors = path.errors.at(hit);
+        probe.met(entry.index, hit, errors);
         let surface = entry.surface;
         let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, entry, &departure, &hit, probe);
+        let local = self.local_color(ray, entry, &departure, hit, probe);
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
@@ -122,7 +122,7 @@ impl<'a> Tracer<'a> {
             share * self.trace(&next, &path, budget, probe)
         };
         if material.transparency > 0.0 || everything {
-            let share = surface.transmits(&hit);
+            let share = surface.transmits(hit);
             let through = follow(share, ray.dir, RayKind::Transmitted, probe);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
