@@ -188,7 +188,7 @@ impl Casters<'_, '_> {
             }
             crossed.extend(support);
             if let Some(hit) = surface.hits(&segment.ray, segment.span) {
-                let hit = surface.settle(hit, &segment.ray);
+                let hit = surface.settle(&hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }
         }

@@ -85,9 +85,9 @@ impl<'a> LightView<'a> {
         let casters: Vec<_> = surfaces
             .entries()
             .iter()
-            .filter(|entry| entry.surface.common().shadows.cast)
+            .filter(|entry| entry.common.shadows.cast)
             .map(|entry| {
-                let opaque = entry.surface.common().material.transparency == 0.0;
+                let opaque = entry.common.material.transparency == 0.0;
                 if !opaque {
                     clear_sheets.extend(entry.support);
                 }
@@ -253,12 +253,12 @@ fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment:
         {
             continue;
         }
-        if entry.surface.common().material.transparency == 0.0 {
+        if entry.common.material.transparency == 0.0 {
             return Rgb::BLACK;
         }
         crossed.extend(entry.support);
         if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
-            let hit = entry.surface.settle(hit, &segment.ray);
+            let hit = entry.surface.settle(&hit, &segment.ray);
             passed = passed * entry.surface.transmits(&hit);
         }
     }
