@@ -25,8 +25,8 @@ pub(crate) fn scene(seed: u64) -> String {
 }
 
 const NAMES: [&str; 11] = [
-    "chalk", "silver", "mirror", "pane", "gloss", "glow", "black", "tinted",
-    "glass", "varnish", "air",
+    "chalk", "silver", "mirror", "pane", "gloss", "glow", "black", "tinted", "glass", "varnish",
+    "air",
 ];
 
 struct Maker {
