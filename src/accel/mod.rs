@@ -4,6 +4,7 @@ mod accelerator;
 mod overlaps;
 mod reach;
 mod receivers;
+mod shade;
 mod shadows;
 mod sight;
 mod slabs;

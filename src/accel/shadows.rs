@@ -7,9 +7,11 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::receivers::Body;
+use super::shade::Shade;
 use super::tree::Tree;
 use super::{Entry, SurfaceList};
-use crate::math::{Point, Rgb, Segment, Side, Support};
+use crate::math::{Point, Ray, Rgb, Segment, Side, Support};
+use crate::surface::Hit;
 
 /// A scene's surfaces as one light has them before it.
 #[derive(Debug)]
@@ -34,12 +36,24 @@ struct CasterTree {
 /// A surface that can cast a shadow.
 #[derive(Debug, Clone, Copy)]
 struct Caster<'a> {
+    /// Where alone its shadow can fall on the surface that the list is for; `None` if anywhere.
+    shade: Option<Shade>,
     entry: Entry<'a>,
     /// The side of the surface that the light is on.
     side: Side,
     /// Whether nothing passes where it stands in the way: it is opaque, and on its sheet there is no
     /// transparent one before it, which would count instead.
     blocks: bool,
+}
+
+impl Caster<'_> {
+    /// Whether it can stand in the way of a ray from a hit to the light.
+    #[inline(always)]
+    fn can_meet(&self, ray: &Ray, from: &Hit) -> bool {
+        let shade = self.shade.as_ref();
+        !shade.is_some_and(|shade| shade.is_beside(from.uv, ray))
+            && !self.entry.lies_on(ray.leaves())
+    }
 }
 
 /// The most surfaces of which each has its own list of casters; of more, all share one.
@@ -81,6 +95,7 @@ impl<'a> LightView<'a> {
                     .support
                     .is_none_or(|support| !clear_sheets.contains(&support));
                 Caster {
+                    shade: None,
                     entry: *entry,
                     side: entry.surface.side(&location),
                     blocks: opaque && counts,
@@ -117,14 +132,18 @@ impl<'a> LightView<'a> {
             view.casters.push(casters);
             return view;
         };
-        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
-            let body = &bodies[caster.entry.index];
-            body.can_hide(light, caster.side, &bodies[from.index])
+        let shading = |caster: &Caster<'a>, from: &Entry<'_>| {
+            let (body, receiver) = (&bodies[caster.entry.index], &bodies[from.index]);
+            let hides = body.can_hide(light, caster.side, receiver);
+            hides.then(|| Caster {
+                shade: Shade::of(light, body, receiver),
+                ..*caster
+            })
         };
         for entry in lit {
             view.list_of[entry.index] = Some(view.casters.len());
-            let own = casters.iter().filter(|caster| hides(caster, entry));
-            view.casters.push(own.copied().collect());
+            let own = casters.iter().filter_map(|caster| shading(caster, entry));
+            view.casters.push(own.collect());
         }
         view
     }
@@ -154,22 +173,32 @@ impl<'a> LightView<'a> {
         self.list_of[entry.index].map_or(&[], |list| &self.casters[list])
     }
 
-    /// Whether anything can stand between the light and a surface.
+    /// Whether anything can stand between the light and a hit of a surface from which a ray goes to
+    /// the light.
     #[must_use]
-    pub fn can_be_hidden_from(&self, entry: &Entry<'_>) -> bool {
-        !self.casters_for(entry).is_empty()
+    #[inline]
+    pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
+        let mut casters = self.casters_for(entry).iter();
+        // The tree asks for less than going through all of them.
+        self.tree.is_some() && !casters.as_slice().is_empty()
+            || casters.any(|caster| caster.can_meet(ray, hit))
     }
 
-    /// The share of the light's colour that passes along a segment from a surface to it.
+    /// The share of the light's colour that passes along a segment from a hit of a surface to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
     /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
-    pub fn transmittance(&self, from: &Entry<'_>, segment: &Segment, tests: &mut u64) -> Rgb {
+    pub fn transmittance(
+        &self,
+        from: &Entry<'_>,
+        hit: &Hit,
+        segment: &Segment,
+        tests: &mut u64,
+    ) -> Rgb {
         let casters = self.casters_for(from);
-        let left = segment.ray.leaves();
         let mut hides = |caster: &Caster<'_>| {
-            if caster.entry.lies_on(left) {
+            if !caster.can_meet(&segment.ray, hit) {
                 return false;
             }
             *tests += 1;

@@ -109,14 +109,10 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         }
     };
     let threads = options.threads.map_or(0, usize::from);
-    let pool = match rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .stack_size(STACK)
-        .build()
-    {
+    let pool = match pool(threads) {
         Ok(pool) => pool,
         Err(error) => {
-            messages.error(&format!("error: cannot start {threads} threads: {error}"));
+            messages.error(&format!("error: {error}"));
             return Status::Io;
         }
     };
@@ -140,8 +136,14 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     statuses.into_iter().fold(Status::Done, Status::worst)
 }
 
-/// Stack of a render thread in bytes: room for the longest path of mirrored rays.
-const STACK: usize = 16 << 20;
+/// So many threads to render with; as many as there are processors if 0.
+pub(super) fn pool(threads: usize) -> Result<rayon::ThreadPool, String> {
+    /// Stack of a render thread in bytes: room for the longest path of mirrored rays.
+    const STACK: usize = 16 << 20;
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = builder.stack_size(STACK).build();
+    pool.map_err(|error| format!("cannot start {threads} threads: {error}"))
+}
 
 /// Renders one scene and writes its picture.
 fn picture<'a>(

@@ -67,3 +67,10 @@ pub(crate) const WIDEN: f64 = 8_589_934_592.0 * UNIT;
 /// product, each of which is as good as moving the face: 8 for each of the two. And 8 more, because
 /// the start of a ray may be that far beyond a plane ([`HEIGHT`]) and still before it.
 pub(crate) const SLAB: f64 = 32.0 * UNIT;
+
+/// How far a ray that is said to meet a surface can pass by the points around it, in units of the sum of
+/// all lengths that went into both and the angle between them: 16 for the corners of surfaces that share
+/// their planes and borders, twice that where two borders meet, 9 for the border and 8 for the ray's
+/// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
+/// how far the ray's start may be off.
+pub(crate) const SHADE: f64 = 16_384.0 * UNIT;

@@ -52,8 +52,8 @@ pub enum Arrival {
 
 /// Someone who is told what the tracer does. `()` does not listen and costs nothing.
 pub trait Probe {
-    /// A ray sets out.
-    fn ray(&mut self, _kind: RayKind) {}
+    /// A ray sets out; of what it brings back, its surface passes this share on.
+    fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
     /// A ray does not set out.
     fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
     /// The ray that set out last and has not come back yet meets the surface with this place in the
@@ -106,10 +106,47 @@ impl Counts {
     pub fn rays(&self) -> u64 {
         self.camera_rays + self.shadow_rays + self.mirror_rays + self.transmitted_rays
     }
+
+    /// The same counts times `of / pixels`, rounded: what so many pixels take if others are like
+    /// these.
+    #[must_use]
+    pub fn scaled(mut self, of: u64, pixels: u64) -> Self {
+        for count in self.each() {
+            let scaled = u128::from(*count) * u128::from(of) + u128::from(pixels / 2);
+            *count = u64::try_from(scaled / u128::from(pixels.max(1))).unwrap_or(u64::MAX);
+        }
+        self
+    }
+
+    fn each(&mut self) -> [&mut u64; 10] {
+        let Self {
+            camera_rays,
+            shadow_rays,
+            mirror_rays,
+            transmitted_rays,
+            faint_rays,
+            capped_rays,
+            hit_tests,
+            occlusion_tests,
+            decisions: Decisions { exactly, by_rule },
+        } = self;
+        [
+            camera_rays,
+            shadow_rays,
+            mirror_rays,
+            transmitted_rays,
+            faint_rays,
+            capped_rays,
+            hit_tests,
+            occlusion_tests,
+            exactly,
+            by_rule,
+        ]
+    }
 }
 
 impl Probe for Counts {
-    fn ray(&mut self, kind: RayKind) {
+    fn ray(&mut self, kind: RayKind, _share: Rgb) {
         match kind {
             RayKind::Camera => self.camera_rays += 1,
             RayKind::Shadow => self.shadow_rays += 1,
@@ -141,16 +178,11 @@ impl Probe for Counts {
 
 impl Sum for Counts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
-        counts.fold(Self::default(), |sum, next| Self {
-            camera_rays: sum.camera_rays + next.camera_rays,
-            shadow_rays: sum.shadow_rays + next.shadow_rays,
-            mirror_rays: sum.mirror_rays + next.mirror_rays,
-            transmitted_rays: sum.transmitted_rays + next.transmitted_rays,
-            faint_rays: sum.faint_rays + next.faint_rays,
-            capped_rays: sum.capped_rays + next.capped_rays,
-            hit_tests: sum.hit_tests + next.hit_tests,
-            occlusion_tests: sum.occlusion_tests + next.occlusion_tests,
-            decisions: sum.decisions + next.decisions,
+        counts.fold(Self::default(), |mut sum, mut next| {
+            for (sum, next) in sum.each().into_iter().zip(next.each()) {
+                *sum += *next;
+            }
+            sum
         })
     }
 }

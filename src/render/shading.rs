@@ -38,8 +38,7 @@ impl Tracer<'_> {
                 probe.light(index, Arrival::Behind);
                 continue;
             }
-            segment.span = self.plan.camera.span(&segment.ray);
-            let arrival = self.arrival(entry, (index, light), view, &segment, probe);
+            let arrival = self.arrival((entry, hit), (index, light), view, &mut segment, probe);
             probe.light(index, arrival);
             let Arrival::Light {
                 color: arriving, ..
@@ -51,7 +50,8 @@ impl Tracer<'_> {
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &surface.common().material;
-            if material.has_glints() || self.plan.scope == Scope::Everything {
+            let everything = self.plan.scope == Scope::Everything;
+            if material.has_glints() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
@@ -66,24 +66,26 @@ impl Tracer<'_> {
     /// What arrives from a light at the start of a segment to it.
     fn arrival(
         &self,
-        entry: &Entry<'_>,
+        (entry, hit): (&Entry<'_>, &Hit),
         (index, light): (usize, &Light),
         view: &LightView<'_>,
-        segment: &Segment,
+        segment: &mut Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
         let Some(leaving) = light.towards(segment) else {
             return Arrival::OutsideBeam;
         };
-        if !(entry.surface.common().shadows.receive && view.can_be_hidden_from(entry)) {
+        let receives = entry.surface.common().shadows.receive;
+        if !(receives && view.can_be_hidden_from(entry, hit, &segment.ray)) {
             return Arrival::Light {
                 color: leaving,
                 unasked: true,
             };
         }
-        probe.ray(RayKind::Shadow);
+        probe.ray(RayKind::Shadow, Rgb::WHITE);
+        segment.span = self.plan.camera.span(&segment.ray);
         let mut tests = 0;
-        let passed = view.transmittance(entry, segment, &mut tests);
+        let passed = view.transmittance(entry, hit, segment, &mut tests);
         probe.occlusion_tests(index, tests);
         if passed.is_black() {
             return Arrival::Hidden;

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use heliodon::accel::{Accelerator, LightView, SurfaceList};
-use heliodon::math::{Departure, Point, Ray, Segment, Side, Span};
-use heliodon::surface::Surface;
+use heliodon::math::{Departure, Point, Ray, Rgb, Segment, Side, Span};
+use heliodon::surface::{Hit, Surface};
 
 use super::cases::{self, Boxed};
 use super::random::Random;
@@ -204,10 +204,19 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
         format!("{segment:?} and {surface:?}")
     });
     let surfaces = [surface];
+    // Only where the start lies on a surface of its own would the rest of this matter.
+    let hit = Hit {
+        t: 1.0,
+        error: 0.0,
+        point: departure.point,
+        normal: DVec3::Z,
+        uv: DVec2::ZERO,
+        texel: Rgb::WHITE,
+    };
     let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
         let list = SurfaceList::with(&surfaces, accelerator);
         let view = LightView::all(&list, std::iter::once(end), false).remove(0);
-        view.transmittance(&list.entries()[0], &segment, &mut 0)
+        view.transmittance(&list.entries()[0], &hit, &segment, &mut 0)
     });
     if passed[0] != passed[1] {
         tally.wrong(|| format!("the tree loses the shadow of {segment:?} and {surfaces:?}"));
