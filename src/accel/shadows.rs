@@ -179,7 +179,9 @@ impl<'a> LightView<'a> {
     #[inline]
     pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
         let mut casters = self.casters_for(entry).iter();
-        casters.any(|caster| caster.can_meet(ray, hit))
+        // The tree asks for less than going through all of them.
+        self.tree.is_some() && !casters.as_slice().is_empty()
+            || casters.any(|caster| caster.can_meet(ray, hit))
     }
 
     /// The share of the light's colour that passes along a segment from a hit of a surface to it.

@@ -55,7 +55,13 @@ impl Crossing {
     #[must_use]
     #[inline(always)]
     pub fn is_beyond(&self, span: Span) -> bool {
-        self.height.abs() - self.doubt > span.max() * (self.slope.abs() + SLOPE)
+        // At the very start, the height can have the wrong sign, and then nothing is nearer.
+        let ahead = if self.rises {
+            self.height
+        } else {
+            -self.height
+        };
+        ahead - self.doubt > span.max() * (self.slope.abs() + SLOPE)
     }
 
     /// How far at most a distance is from the exact one.
