@@ -15,5 +15,6 @@ mod oracle {
 
     mod closed;
     mod equality;
+    mod shades;
     mod values;
 }

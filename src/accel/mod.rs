@@ -2,6 +2,7 @@
 
 mod lamps;
 mod receivers;
+mod shade;
 mod shadows;
 mod shields;
 mod sight;

@@ -1,12 +1,12 @@
 //! Which surface can put which other one into shadow.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::Entry;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
 use crate::math::{Bounds, Flat, Point, Side, Support};
-use crate::surface::Surface;
+use crate::surface::{Shape, Surface};
 
 /// A surface as the side of others that light comes from, and that shadows fall on.
 #[derive(Debug)]
@@ -16,6 +16,18 @@ pub(super) struct Body {
     outline: Vec<DVec3>,
     /// Points around it, exact and rounded; `None` if it has no end.
     hull: Option<Vec<(ExactVector, DVec3)>>,
+    half_axes: Option<DVec3>,
+    rectangle: Option<Sheet>,
+}
+
+/// A rectangle on whose front shadows fall; its hits have their offset from its corner for
+/// coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sheet {
+    pub(super) corner: DVec3,
+    /// Its unit axes: x, y and the normal.
+    pub(super) axes: [DVec3; 3],
+    pub(super) size: DVec2,
 }
 
 impl Body {
@@ -35,6 +47,37 @@ impl Body {
             hull: surface
                 .hull()
                 .map(|hull| hull.into_iter().map(with_rounded).collect()),
+            half_axes: surface.round().map(|[_, half_axes]| half_axes),
+            rectangle: match surface.anatomy().map(|anatomy| anatomy.shape) {
+                Some(Shape::Rectangle { corner, axes, size }) => Some(Sheet { corner, axes, size }),
+                _ => None,
+            },
+        }
+    }
+
+    /// The rectangle that it is, if it is one.
+    pub(super) fn rectangle(&self) -> Option<&Sheet> {
+        self.rectangle.as_ref()
+    }
+
+    /// Points around it, rounded, if it has an end.
+    pub(super) fn hull(&self) -> Option<impl Iterator<Item = DVec3>> {
+        let hull = self.hull.as_ref()?;
+        Some(hull.iter().map(|(_, rounded)| *rounded))
+    }
+
+    /// How many times further than rounding a ray to a light may pass it by, if it is no longer than
+    /// `reach`, and still be said to meet it. `None` if that is not known.
+    ///
+    /// The borders of a flat surface are told by lines that are off its plane by rounding, so a ray
+    /// at a small angle to the plane can be off a border by more; and from across the plane
+    /// to the light it rises by more than the light's height. A stretched ball is asked in a space
+    /// where its axes are equal.
+    pub(super) fn slant(&self, light: DVec3, reach: f64) -> Option<f64> {
+        match (&self.flat, self.half_axes) {
+            (Some(flat), _) => Some((reach / flat.normal.dot(light - flat.point).abs()).max(1.0)),
+            (None, Some(axes)) => Some(axes.max_element() / axes.min_element()),
+            (None, None) => None,
         }
     }
 

@@ -3,8 +3,10 @@
 use glam::DVec3;
 
 use super::receivers::Body;
+use super::shade::Shade;
 use super::{Entry, SurfaceList};
-use crate::math::{Point, Rgb, Segment, Side, Support};
+use crate::math::{Point, Ray, Rgb, Segment, Side, Support};
+use crate::surface::Hit;
 
 /// A scene's surfaces as one light has them before it.
 #[derive(Debug)]
@@ -19,9 +21,21 @@ pub struct LightView<'a> {
 /// A surface that can cast a shadow.
 #[derive(Debug, Clone, Copy)]
 struct Caster<'a> {
+    /// Where alone its shadow can fall on the surface that the list is for; `None` if anywhere.
+    shade: Option<Shade>,
     entry: Entry<'a>,
     /// The side of the surface that the light is on.
     side: Side,
+}
+
+impl Caster<'_> {
+    /// Whether it can stand in the way of a ray from a hit to the light.
+    #[inline(always)]
+    fn can_meet(&self, ray: &Ray, from: &Hit) -> bool {
+        let shade = self.shade.as_ref();
+        !shade.is_some_and(|shade| shade.is_beside(from.uv, ray))
+            && !self.entry.lies_on(ray.leaves())
+    }
 }
 
 /// The most surfaces of which each has its own list of casters; of more, all share one.
@@ -54,6 +68,7 @@ impl<'a> LightView<'a> {
             .iter()
             .filter(|entry| entry.surface.common().shadows.cast)
             .map(|entry| Caster {
+                shade: None,
                 entry: *entry,
                 side: entry.surface.side(&location),
             })
@@ -77,16 +92,34 @@ impl<'a> LightView<'a> {
             view.casters.push(casters);
             return view;
         };
-        let hides = |caster: &Caster<'_>, from: &Entry<'_>| {
-            let body = &bodies[caster.entry.index];
-            body.can_hide(light, caster.side, &bodies[from.index])
+        let shading = |caster: &Caster<'a>, from: &Entry<'_>| {
+            let (body, receiver) = (&bodies[caster.entry.index], &bodies[from.index]);
+            let hides = body.can_hide(light, caster.side, receiver);
+            hides.then(|| Caster {
+                shade: Shade::of(light, body, receiver),
+                ..*caster
+            })
         };
         for entry in lit {
             view.list_of[entry.index] = Some(view.casters.len());
-            let own = casters.iter().filter(|caster| hides(caster, entry));
-            view.casters.push(own.copied().collect());
+            let own = casters.iter().filter_map(|caster| shading(caster, entry));
+            view.casters.push(own.collect());
         }
         view
+    }
+
+    /// Forgets the surfaces, by their places in the list, that the light is not to light.
+    pub fn retain(&mut self, lights: impl Fn(usize) -> bool) {
+        for (surface, list) in self.list_of.iter_mut().enumerate() {
+            *list = list.filter(|_| lights(surface));
+        }
+    }
+
+    /// The surfaces, by their places in the list, that can stand between the light and this one.
+    #[must_use]
+    pub fn casters_of(&self, surface: usize) -> Vec<usize> {
+        let list = self.list_of[surface].map_or(&[][..], |list| &self.casters[list]);
+        list.iter().map(|caster| caster.entry.index).collect()
     }
 
     /// Whether light from here can reach the front of a surface at all.
@@ -100,25 +133,31 @@ impl<'a> LightView<'a> {
         self.list_of[entry.index].map_or(&[], |list| &self.casters[list])
     }
 
-    /// Whether anything can stand between the light and a surface.
+    /// Whether anything can stand between the light and a hit of a surface from which a ray goes to
+    /// the light.
     #[must_use]
-    pub fn can_be_hidden_from(&self, entry: &Entry<'_>) -> bool {
-        !self.casters_for(entry).is_empty()
+    #[inline]
+    pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
+        let mut casters = self.casters_for(entry).iter();
+        casters.any(|caster| caster.can_meet(ray, hit))
     }
 
-    /// The share of the light's colour that passes along a segment from a surface to it.
+    /// The share of the light's colour that passes along a segment from a hit of a surface to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
     /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
-    pub fn transmittance(&self, from: &Entry<'_>, segment: &Segment, tests: &mut u64) -> Rgb {
+    pub fn transmittance(
+        &self,
+        from: &Entry<'_>,
+        hit: &Hit,
+        segment: &Segment,
+        tests: &mut u64,
+    ) -> Rgb {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
-        let left = segment.ray.leaves();
-        for Caster { entry, side } in self.casters_for(from) {
-            if entry.lies_on(left) {
-                continue;
-            }
+        let casters = self.casters_for(from).iter();
+        for Caster { entry, side, .. } in casters.filter(|it| it.can_meet(&segment.ray, hit)) {
             *tests += 1;
             if !entry.surface.occludes(segment, *side) {
                 continue;

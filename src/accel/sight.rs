@@ -36,6 +36,16 @@ impl<'a> Sight<'a> {
         }
     }
 
+    /// Whether each of so many surfaces can appear in a picture of this width and height.
+    #[must_use]
+    pub fn seen(&self, size: [u32; 2], count: usize) -> Vec<bool> {
+        let mut seen = vec![false; count];
+        for (window, entry) in &self.seen {
+            seen[entry.index] = window.meets(size);
+        }
+        seen
+    }
+
     /// The surface that a ray from the eye through a place of the picture meets first; as
     /// [`SurfaceList::nearest`].
     #[must_use]

@@ -20,6 +20,14 @@ impl Window {
         high: [f64::MAX; 2],
     };
 
+    /// Whether some place of a picture of this width and height lies inside, up to half a pixel
+    /// beyond the centres of the outermost.
+    #[must_use]
+    pub fn meets(&self, size: [u32; 2]) -> bool {
+        let mut axes = self.low.iter().zip(&self.high).zip(size);
+        axes.all(|((low, high), pixels)| *low <= f64::from(pixels) && *high >= -1.0)
+    }
+
     /// Whether a place lies inside.
     #[must_use]
     #[inline(always)]

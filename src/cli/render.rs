@@ -10,11 +10,12 @@ use super::certificate::{self, Report};
 use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
-use super::{FormatWord, NumericsWord, Status, input, progress};
+use super::{FormatWord, NumericsWord, Status, input, progress, stats};
 use crate::film::{Film, Format, Notes, save};
 use crate::language::{Problem, Refusal};
+use crate::plan::Scope;
 use crate::read::{self, Reading};
-use crate::render::{self, Counts};
+use crate::render::{self, Certificate, Counts};
 use crate::scene::{Picture, Scene};
 
 /// Renders scenes to pictures.
@@ -49,6 +50,12 @@ pub(super) struct Options {
     /// Tell how right the picture is: how hits were decided, and the largest errors.
     #[arg(long)]
     certify: bool,
+    /// Tell how much work the picture took: rays of each kind, tests, fetches.
+    #[arg(long)]
+    stats: bool,
+    /// Leave nothing out that is proven to change nothing; the picture is the same, only slower.
+    #[arg(long)]
+    simulate_everything: bool,
     /// Print what was done as JSON on standard output, one line for each scene.
     #[arg(long)]
     json: bool,
@@ -102,14 +109,10 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         }
     };
     let threads = options.threads.map_or(0, usize::from);
-    let pool = match rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .stack_size(STACK)
-        .build()
-    {
+    let pool = match pool(threads) {
         Ok(pool) => pool,
         Err(error) => {
-            messages.error(&format!("error: cannot start {threads} threads: {error}"));
+            messages.error(&format!("error: {error}"));
             return Status::Io;
         }
     };
@@ -120,7 +123,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         numerics: options.numerics.map(NumericsWord::numerics),
     };
     let one = |(scene, output): (&PathBuf, &Output)| {
-        let made = picture(scene, output, &reader, options.certify, &pool, messages);
+        let made = picture(scene, output, &reader, options, &pool, messages);
         match (made, options.json) {
             (Ok(done), true) => messages.result(&done.json(), done.status),
             (Ok(done), false) => done.say(messages),
@@ -133,15 +136,21 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     statuses.into_iter().fold(Status::Done, Status::worst)
 }
 
-/// Stack of a render thread in bytes: room for the longest path of mirrored rays.
-const STACK: usize = 16 << 20;
+/// So many threads to render with; as many as there are processors if 0.
+pub(super) fn pool(threads: usize) -> Result<rayon::ThreadPool, String> {
+    /// Stack of a render thread in bytes: room for the longest path of mirrored rays.
+    const STACK: usize = 16 << 20;
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = builder.stack_size(STACK).build();
+    pool.map_err(|error| format!("cannot start {threads} threads: {error}"))
+}
 
 /// Renders one scene and writes its picture.
 fn picture<'a>(
     scene: &Path,
     output: &'a Output,
-    options: &read::Options,
-    certify: bool,
+    reader: &read::Options,
+    options: &Options,
     pool: &rayon::ThreadPool,
     messages: &Messages,
 ) -> Result<Done<'a>, Failure> {
@@ -150,7 +159,7 @@ fn picture<'a>(
         scene: read,
         warnings,
         ..
-    } = input::read(scene, options, messages)?;
+    } = input::read(scene, reader, messages)?;
     let title = input::title(scene);
     let part = output
         .path
@@ -162,12 +171,17 @@ fn picture<'a>(
     }
     let bar = progress::bar(&title, u64::from(read.picture.height), messages);
     let progress = |rows| bar.set_position(rows as u64);
+    let scope = if options.simulate_everything {
+        Scope::Everything
+    } else {
+        Scope::CalledFor
+    };
     let rendered = pool.install(|| {
-        if certify {
-            let (film, certificate) = render::certify(&read, &progress)?;
+        if options.certify {
+            let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
             return Ok((film, certificate.counts, Some(certificate)));
         }
-        let (film, counts) = render::render(&read, &progress)?;
+        let (film, counts) = render::observed(&read, scope, &progress)?;
         Ok((film, counts, None))
     });
     bar.finish_and_clear();
@@ -187,6 +201,7 @@ fn picture<'a>(
     let status = non_finite(&film, &title, messages);
     let certificate = certificate.map(|it| certificate::report(&it, &read, &film));
     Ok(Done {
+        stats: options.stats,
         certificate,
         title,
         read,
@@ -206,6 +221,8 @@ struct Done<'a> {
     read: Scene,
     warnings: Vec<Problem>,
     counts: Counts,
+    /// Whether to tell how much work it was.
+    stats: bool,
     certificate: Option<Report>,
     hash: String,
     output: &'a Output,
@@ -244,9 +261,11 @@ impl Done<'_> {
             picture.height,
             self.start.elapsed().as_secs_f64(),
         ));
-        if let Some(certificate) = &self.certificate {
+        let stats = self.stats.then(|| stats::table(&self.counts));
+        let answers = [self.certificate.as_ref().map(Report::to_string), stats];
+        for answer in answers.into_iter().flatten() {
             // The answer to a question is a result.
-            let printed = messages.result(&certificate.to_string(), self.status);
+            let printed = messages.result(&answer, self.status);
             if printed != self.status {
                 return printed;
             }

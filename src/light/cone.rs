@@ -64,6 +64,18 @@ impl Cone {
         self.axis.dot(direction) > self.cosine
     }
 
+    /// The unit direction of its middle.
+    #[must_use]
+    pub fn axis(&self) -> DVec3 {
+        self.axis
+    }
+
+    /// The angle between axis and edge, in radians.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.theta.to_radians()
+    }
+
     /// Adds the cone's attributes to a light's node.
     pub(super) fn describe_into(&self, node: Node) -> Node {
         node.with("point", self.point).with("theta", self.theta)

@@ -62,6 +62,18 @@ impl Material {
         ]],
     };
 
+    /// Whether lights make glints on it.
+    #[must_use]
+    pub fn has_glints(&self) -> bool {
+        self.shininess > 0.0 && !self.specular.is_black()
+    }
+
+    /// Whether rays that meet it cause others.
+    #[must_use]
+    pub fn sends_on(&self) -> bool {
+        self.transparency > 0.0 || !self.specular.is_black()
+    }
+
     /// The colour that light takes on its way through: `diffuse`, its largest channel made 1.
     ///
     /// A material without `diffuse` is clear.

@@ -50,3 +50,10 @@ pub(crate) const FOOT: f64 = 16.0 * UNIT;
 /// of its distance: half of a double's digits, 2⁻²⁶. A ray that is nearly parallel to a plane may meet
 /// it anywhere, and then what is near the hit cannot be told from where it was computed to be.
 pub(crate) const SLIDE: f64 = 134_217_728.0 * UNIT;
+
+/// How far a ray that is said to meet a surface can pass by the points around it, in units of the sum of
+/// all lengths that went into both and the angle between them: 16 for the corners of surfaces that share
+/// their planes and borders, twice that where two borders meet, 9 for the border and 8 for the ray's
+/// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
+/// how far the ray's start may be off.
+pub(crate) const SHADE: f64 = 16_384.0 * UNIT;

@@ -1,15 +1,21 @@
 //! What of a scene is simulated, and why.
 
+mod beam;
+mod decide;
+mod effect;
 mod scope;
 mod tail;
+mod unlit;
 
+pub use effect::{Cause, Decision, Effect};
 pub use scope::Scope;
 pub use tail::Tail;
+pub use unlit::Unlit;
 
 use crate::accel::{LampView, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
-use crate::scene::Scene;
+use crate::scene::{Picture, Scene};
 use crate::surface::Surface;
 
 /// A scene made ready for tracing: what will be simulated of it.
@@ -27,6 +33,10 @@ pub struct Plan<'a> {
     pub light_views: Vec<LightView<'a>>,
     /// What each lamp has before it, in the order of the scene's surfaces.
     pub lamp_views: Vec<LampView<'a>>,
+    /// Whether any ray can meet a surface, for each of them.
+    pub seen: Vec<bool>,
+    /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
+    pub unlit: Vec<Vec<Option<Unlit>>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// Whether anything is left out.
@@ -53,16 +63,58 @@ impl<'a> Plan<'a> {
         };
         // Rounded numerics prove nothing, so they leave nothing out.
         let elides = scope == Scope::CalledFor && classic.is_none();
-        let lights = scene.lights.iter().map(|light| light.location);
+        let sight = elides.then(|| Sight::new(&surfaces, &camera));
+        let seen = seen(scene, sight.as_ref());
+        let unlit: Vec<Vec<_>> = scene
+            .lights
+            .iter()
+            .map(|light| {
+                let pairs = scene.surfaces.iter().zip(&seen);
+                pairs
+                    .map(|(surface, seen)| Unlit::reason(light, &**surface, *seen))
+                    .map(|why| why.filter(|why| elides || why.is_rule()))
+                    .collect()
+            })
+            .collect();
+        let places = scene.lights.iter().map(|light| light.location);
+        let mut light_views = LightView::all(&surfaces, places, elides);
+        for (view, unlit) in light_views.iter_mut().zip(&unlit) {
+            view.retain(|surface| unlit[surface].is_none());
+        }
         Ok(Self {
             scene,
-            sight: elides.then(|| Sight::new(&surfaces, &camera)),
-            light_views: LightView::all(&surfaces, lights, elides),
+            camera,
+            sight,
+            light_views,
             lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             surfaces,
-            camera,
+            seen,
+            unlit,
             tail: Tail::new(scene),
             scope,
         })
     }
+
+    /// Whether each effect is simulated, and why.
+    #[must_use]
+    pub fn decisions(&self) -> Vec<Decision> {
+        decide::all(self)
+    }
+}
+
+/// Whether any ray can meet a surface, for each of them: rays from the eye can where the camera
+/// sees it, and others anywhere.
+fn seen(scene: &Scene, sight: Option<&Sight<'_>>) -> Vec<bool> {
+    let Some(sight) = sight else {
+        return vec![true; scene.surfaces.len()];
+    };
+    let Picture { width, height, .. } = scene.picture;
+    let seen = sight.seen([width, height], scene.surfaces.len());
+    let surfaces = scene.surfaces.iter().zip(&seen);
+    let mut sent_on =
+        surfaces.filter(|(surface, seen)| **seen && surface.common().material.sends_on());
+    if sent_on.next().is_some() {
+        return vec![true; scene.surfaces.len()];
+    }
+    seen
 }

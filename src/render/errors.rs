@@ -2,8 +2,8 @@
 
 use std::iter::Sum;
 
-use super::{Counts, Probe};
-use crate::math::{Decisions, UNIT};
+use super::{Counts, Probe, RayKind, Unfollowed};
+use crate::math::{Decisions, Rgb, UNIT};
 use crate::surface::{Hit, Surface};
 
 /// What rounding may have done to a path by the time it meets a surface.
@@ -54,50 +54,49 @@ pub struct Certificate {
     pub counts: Counts,
     /// The largest error of a hit that the eye sees directly, in world units.
     pub largest_error: f64,
+    /// How much at most a ray could have added that was not followed because its ray from the eye had
+    /// caused as many as it may; infinite if nothing bounds it.
+    pub largest_residual: f64,
     /// The largest estimate for hits that it sees in mirrors and through panes, in world units.
     pub largest_bounced_error: f64,
 }
 
 impl Probe for Certificate {
-    fn camera_ray(&mut self) {
-        self.counts.camera_ray();
+    fn ray(&mut self, kind: RayKind, share: Rgb) {
+        self.counts.ray(kind, share);
     }
 
-    fn shadow_ray(&mut self) {
-        self.counts.shadow_ray();
+    fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
+        self.counts.not_followed(kind, why);
+        if let Unfollowed::Capped(missed) = why {
+            self.largest_residual = self.largest_residual.max(missed);
+        }
     }
 
-    fn lamp_ray(&mut self) {
-        self.counts.lamp_ray();
-    }
-
-    fn mirror_ray(&mut self) {
-        self.counts.mirror_ray();
-    }
-
-    fn transmitted_ray(&mut self) {
-        self.counts.transmitted_ray();
-    }
-
-    fn hit_tests(&mut self, count: u64) {
-        self.counts.hit_tests(count);
-    }
-
-    fn occlusion_tests(&mut self, count: u64) {
-        self.counts.occlusion_tests(count);
-    }
-
-    fn decisions(&mut self, decisions: Decisions) {
-        self.counts.decisions(decisions);
-    }
-
-    fn hit(&mut self, errors: Errors) {
+    fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
+        self.counts.met(surface, hit, errors);
         let largest = if errors.bounces == 0 {
             &mut self.largest_error
         } else {
             &mut self.largest_bounced_error
         };
         *largest = largest.max(errors.place);
+    }
+
+    fn hit_tests(&mut self, count: u64) {
+        self.counts.hit_tests(count);
+    }
+
+    fn occlusion_tests(&mut self, light: usize, count: u64) {
+        self.counts.occlusion_tests(light, count);
+    }
+
+    fn lamp_tests(&mut self, count: u64) {
+        self.counts.lamp_tests(count);
+    }
+
+    fn decisions(&mut self, decisions: Decisions) {
+        self.counts.decisions(decisions);
     }
 }
 
@@ -106,6 +105,7 @@ impl Sum for Certificate {
         all.fold(Self::default(), |sum, next| Self {
             counts: [sum.counts, next.counts].into_iter().sum(),
             largest_error: sum.largest_error.max(next.largest_error),
+            largest_residual: sum.largest_residual.max(next.largest_residual),
             largest_bounced_error: sum.largest_bounced_error.max(next.largest_bounced_error),
         })
     }

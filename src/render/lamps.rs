@@ -8,7 +8,7 @@ use crate::math::{Departure, Point, Ray, Rgb, Segment};
 use crate::surface::Hit;
 
 use super::samples::scramble;
-use super::{Probe, Tracer};
+use super::{Probe, RayKind, Tracer};
 
 /// A place that lamps light.
 #[derive(Debug)]
@@ -108,10 +108,10 @@ impl Tracer<'_> {
             return Rgb::WHITE;
         };
         segment.span = self.plan.camera.span(&segment.ray);
-        probe.lamp_ray();
+        probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);
-        probe.occlusion_tests(tests);
+        probe.lamp_tests(tests);
         passed
     }
 }

@@ -8,7 +8,7 @@ mod shading;
 mod tracer;
 
 pub use errors::{Certificate, Errors};
-pub use probe::{Counts, Probe};
+pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use samples::samples;
 pub use tracer::Tracer;
 
@@ -81,8 +81,9 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     Ok((film, seen))
 }
 
-/// The mean of a pixel's samples, unclamped, summed in their order.
-fn pixel_color(
+/// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
+/// samples, unclamped, summed in their order.
+pub fn pixel_color(
     tracer: Tracer<'_>,
     scene: &Scene,
     column: usize,

@@ -3,9 +3,10 @@
 use crate::accel::{Entry, LightView};
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
+use crate::plan::Scope;
 use crate::surface::Hit;
 
-use super::{Probe, Tracer};
+use super::{Arrival, Probe, RayKind, Tracer};
 
 impl Tracer<'_> {
     /// What the surface itself sends back along a ray: ambient, and the light of every light.
@@ -23,8 +24,10 @@ impl Tracer<'_> {
             return color;
         }
         let diffuse = surface.getdiff(hit);
-        for (light, view) in self.plan.scene.lights.iter().zip(&self.plan.light_views) {
+        let lights = self.plan.scene.lights.iter().zip(&self.plan.light_views);
+        for (index, (light, view)) in lights.enumerate() {
             if !view.lights(entry) {
+                probe.light(index, Arrival::Unplanned);
                 continue;
             }
             let Some(mut segment) = Segment::new(departure, light.location) else {
@@ -32,18 +35,23 @@ impl Tracer<'_> {
             };
             let cosine = segment.ray.dir.dot(hit.normal);
             if cosine <= 0.0 {
-                // The surface hides itself.
+                probe.light(index, Arrival::Behind);
                 continue;
             }
-            segment.span = self.plan.camera.span(&segment.ray);
-            let Some(arriving) = self.arriving(entry, light, view, &segment, probe) else {
+            let arrival = self.arrival((entry, hit), (index, light), view, &mut segment, probe);
+            probe.light(index, arrival);
+            let Arrival::Light {
+                color: arriving, ..
+            } = arrival
+            else {
                 continue;
             };
             let divisor = self.plan.scene.lighting.falloff.divisor(segment.length);
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
             let material = &surface.common().material;
-            if material.shininess > 0.0 {
+            let everything = self.plan.scope == Scope::Everything;
+            if material.has_glints() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
@@ -55,24 +63,36 @@ impl Tracer<'_> {
         color
     }
 
-    /// The light of a light that arrives at the start of a segment to it; `None` if the beam
-    /// passes by or something stands in the way.
-    fn arriving(
+    /// What arrives from a light at the start of a segment to it.
+    fn arrival(
         &self,
-        entry: &Entry<'_>,
-        light: &Light,
+        (entry, hit): (&Entry<'_>, &Hit),
+        (index, light): (usize, &Light),
         view: &LightView<'_>,
-        segment: &Segment,
+        segment: &mut Segment,
         probe: &mut impl Probe,
-    ) -> Option<Rgb> {
-        let leaving = light.towards(segment)?;
-        if !entry.surface.common().shadows.receive {
-            return Some(leaving);
+    ) -> Arrival {
+        let Some(leaving) = light.towards(segment) else {
+            return Arrival::OutsideBeam;
+        };
+        let receives = entry.surface.common().shadows.receive;
+        if !(receives && view.can_be_hidden_from(entry, hit, &segment.ray)) {
+            return Arrival::Light {
+                color: leaving,
+                unasked: true,
+            };
         }
-        probe.shadow_ray();
+        probe.ray(RayKind::Shadow, Rgb::WHITE);
+        segment.span = self.plan.camera.span(&segment.ray);
         let mut tests = 0;
-        let passed = view.transmittance(entry, segment, &mut tests);
-        probe.occlusion_tests(tests);
-        (!passed.is_black()).then(|| leaving * passed)
+        let passed = view.transmittance(entry, hit, segment, &mut tests);
+        probe.occlusion_tests(index, tests);
+        if passed.is_black() {
+            return Arrival::Hidden;
+        }
+        Arrival::Light {
+            color: leaving * passed,
+            unasked: false,
+        }
     }
 }

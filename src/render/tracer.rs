@@ -5,7 +5,7 @@ use crate::math::{Departure, Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
-use super::{Errors, Probe};
+use super::{Errors, Probe, RayKind, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -50,7 +50,7 @@ impl<'a> Tracer<'a> {
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
-        probe.camera_ray();
+        probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let mut budget = Budget {
             rays: MOST_BOUNCES,
@@ -93,10 +93,11 @@ impl<'a> Tracer<'a> {
         probe: &mut impl Probe,
     ) -> Rgb {
         let Some((entry, hit)) = met else {
+            probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
         let errors = path.errors.at(&hit);
-        probe.hit(errors);
+        probe.met(entry.index, &hit, errors);
         let surface = entry.surface;
         let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
         let travelled = path.travelled + hit.t;
@@ -107,10 +108,11 @@ impl<'a> Tracer<'a> {
         }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
+        probe.own_color(color);
 
         let material = &surface.common().material;
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
-        let mut follow = |share: Rgb, dir, probe: &mut _, count: fn(&mut _)| {
+        let mut follow = |share: Rgb, dir, kind, probe: &mut _| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
@@ -118,27 +120,26 @@ impl<'a> Tracer<'a> {
                 seed: path.seed.wrapping_add(1),
             };
             let uncalled = path.weight == 0.0 && everything;
-            if !(uncalled || self.is_worth_following(&path, divisor, budget, probe)) {
+            let worth = self.is_worth_following(&path, divisor, budget);
+            if let (Err(why), false) = (worth, uncalled) {
+                Probe::not_followed(probe, kind, why);
                 return Rgb::BLACK;
             }
-            count(probe);
+            Probe::ray(probe, kind, share);
             let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, budget, probe)
         };
         if material.transparency > 0.0 || everything {
-            let through = follow(
-                surface.transmits(&hit),
-                ray.dir,
-                probe,
-                Probe::transmitted_ray,
-            );
+            let share = surface.transmits(&hit);
+            let through = follow(share, ray.dir, RayKind::Transmitted, probe);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !material.specular.is_black() || everything {
             let direction = ray.mirrored(hit.normal);
-            let mirrored = follow(material.specular, direction, probe, Probe::mirror_ray);
+            let mirrored = follow(material.specular, direction, RayKind::Mirror, probe);
             color = (color + mirrored).saturated();
         }
+        probe.came_back(color);
         color
     }
 
@@ -148,21 +149,19 @@ impl<'a> Tracer<'a> {
         path: &Path,
         divisor: f64,
         budget: &mut Budget,
-        probe: &mut impl Probe,
-    ) -> bool {
+    ) -> Result<(), Unfollowed> {
         if path.travelled > self.plan.scene.lighting.reach {
-            return false;
+            return Err(Unfollowed::BeyondReach);
         }
         let missed = self.plan.tail.of(path.weight, divisor);
         if missed <= budget.light {
             budget.light -= missed;
-            return false;
+            return Err(Unfollowed::TooFaint(missed));
         }
-        if budget.rays == 0 {
-            probe.capped(missed);
-            return false;
-        }
-        budget.rays -= 1;
-        true
+        budget.rays = budget
+            .rays
+            .checked_sub(1)
+            .ok_or(Unfollowed::Capped(missed))?;
+        Ok(())
     }
 }

@@ -236,6 +236,10 @@ impl Surface for Ellipsoid {
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
+    fn texture(&self) -> Option<&Texture> {
+        self.image.as_ref().map(|image| &*image.texture)
+    }
+
     fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
         let Some(image) = &self.image else {
             return hit;

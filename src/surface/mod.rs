@@ -14,6 +14,7 @@ use glam::{DVec2, DVec3};
 use crate::language::{Node, Schema};
 use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::texture::Texture;
 
 pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
@@ -148,6 +149,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
     #[doc(alias = "diffuse")]
     fn getdiff(&self, hit: &Hit) -> Rgb {
         self.common().material.diffuse * hit.texel
+    }
+
+    /// The image that the surface wears.
+    fn texture(&self) -> Option<&Texture> {
+        None
     }
 
     /// The largest channels that [`getamb`](Self::getamb) and [`getdiff`](Self::getdiff) can have

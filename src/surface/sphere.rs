@@ -211,6 +211,10 @@ impl Surface for Sphere {
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
+    fn texture(&self) -> Option<&Texture> {
+        self.image.as_ref().map(|image| &*image.texture)
+    }
+
     fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
         let image = self.image.as_ref();
         let texel = image.map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal));

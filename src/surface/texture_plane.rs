@@ -19,7 +19,8 @@ use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
-use crate::texture::{TextureMap, Wrap};
+use crate::texture::{Texture, TextureMap, Wrap};
+
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
 pub struct TexturePlane {
@@ -148,6 +149,10 @@ impl Surface for TexturePlane {
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.plane.occludes(segment, end)
+    }
+
+    fn texture(&self) -> Option<&Texture> {
+        Some(&self.image.texture)
     }
 
     fn settle(&self, hit: Hit, ray: &Ray) -> Hit {

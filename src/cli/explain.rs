@@ -1,0 +1,107 @@
+//! `heliodon explain`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::input::Failure;
+use super::messages::{Messages, problems_json};
+use super::{Status, explanation, input, render, story};
+use crate::language::Refusal;
+use crate::measure;
+use crate::read::Reading;
+
+/// Tells what of a scene is simulated and why, and what is left out.
+///
+/// What is left out is proven to change nothing: `render --simulate-everything` gives the same
+/// bytes. The rays are estimated from some of the pixels; --measure counts them.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// Scene file; `-` is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    format: input::SceneFormat,
+    /// Tell how one pixel comes by its colour instead: column and row, from 0, from the top left.
+    #[arg(long, value_name = "X,Y", value_parser = pixel, conflicts_with = "measure")]
+    pixel: Option<[u32; 2]>,
+    /// Count the rays by tracing the whole picture.
+    #[arg(long)]
+    measure: bool,
+    /// Print the answer as JSON on standard output.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A column and a row from `12,34`.
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let places = text
+        .split_once(',')
+        .and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+    places.ok_or_else(|| "expected a column and a row, such as 400,300".to_owned())
+}
+
+pub(super) fn run(options: &Options, messages: &Messages) -> Status {
+    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+        Ok(reading) => reading,
+        Err(failure) if options.json => {
+            return messages.result(&failure.json(&options.scene), failure.status);
+        }
+        Err(failure) => return failure.status,
+    };
+    let pool = match render::pool(0) {
+        Ok(pool) => pool,
+        Err(error) => {
+            messages.error(&format!("error: {error}"));
+            return Status::Io;
+        }
+    };
+    match pool.install(|| answer(options, &reading)) {
+        Ok(text) => messages.result(&text, Status::Done),
+        Err(refusal) => {
+            let title = input::title(&options.scene);
+            let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+            let status = if options.pixel.is_some() {
+                Status::Usage
+            } else {
+                Status::BadInput
+            };
+            let failure = Failure::new(status, error, messages);
+            if options.json {
+                return messages.result(&failure.json(&options.scene), failure.status);
+            }
+            failure.status
+        }
+    }
+}
+
+/// What is printed, if the scene can be rendered.
+fn answer(options: &Options, reading: &Reading) -> Result<String, Refusal> {
+    let (scene, title) = (&reading.scene, input::title(&options.scene));
+    let as_json = |value: serde_json::Value| {
+        let line = serde_json::json!({
+            "scene": title,
+            "exit": Status::Done.code(),
+            "problems": problems_json(&reading.warnings, &scene.sources),
+        });
+        let mut line = line;
+        if let (Some(line), serde_json::Value::Object(value)) = (line.as_object_mut(), value) {
+            line.extend(value);
+        }
+        format!("{line}\n")
+    };
+    if let Some(pixel) = options.pixel {
+        let story = measure::transcript(scene, pixel)?;
+        return Ok(if options.json {
+            as_json(serde_json::json!(story))
+        } else {
+            story::text(&story, scene, &title)
+        });
+    }
+    let explanation = measure::explain(scene, options.measure)?;
+    Ok(if options.json {
+        as_json(serde_json::json!(explanation))
+    } else {
+        explanation::text(&explanation, &title)
+    })
+}

@@ -1,0 +1,150 @@
+//! Which effects a scene calls for.
+
+use super::{Cause, Decision, Effect, Plan};
+use crate::light::{Beam, Light};
+use crate::surface::Surface;
+
+/// Whether each effect is simulated, and why.
+pub(super) fn all(plan: &Plan<'_>) -> Vec<Decision> {
+    Effect::ALL.map(|effect| decide(plan, effect)).into()
+}
+
+fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
+    match effect {
+        Effect::Shadows => shadows(plan),
+        Effect::Mirrors => of_surfaces(
+            plan,
+            effect,
+            |surface| !surface.common().material.specular.is_black(),
+            ["mirrors what is before it", "mirror what is before them"],
+            "`specular`",
+        ),
+        Effect::Transparency => of_surfaces(
+            plan,
+            effect,
+            |surface| surface.common().material.transparency > 0.0,
+            ["lets light through", "let light through"],
+            "`transparency`",
+        ),
+        Effect::Glints => glints(plan),
+        Effect::SpotCones => of_lights(plan, effect, |light| matches!(light.beam, Beam::Cone(_))),
+        Effect::Projectors => of_lights(plan, effect, |light| matches!(light.beam, Beam::Slide(_))),
+        Effect::Textures => of_surfaces(
+            plan,
+            effect,
+            |surface| surface.texture().is_some(),
+            ["wears an image", "wear an image"],
+            "`texture`",
+        ),
+        Effect::Antialiasing => antialiasing(plan),
+    }
+}
+
+fn shadows(plan: &Plan<'_>) -> Decision {
+    let lights = plan.scene.lights.iter().zip(&plan.light_views);
+    let all = lights.clone().count();
+    let hidden = lights.filter(|(_, view)| {
+        let mut surfaces = 0..plan.scene.surfaces.len();
+        surfaces.any(|surface| !view.casters_of(surface).is_empty())
+    });
+    let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
+    let why = match (all, causes.len()) {
+        (0, _) => "there is no light".to_owned(),
+        (_, 0) => "nothing can stand between a light and what it lights".to_owned(),
+        (1, _) => "something can stand before the light".to_owned(),
+        (all, some) => format!("something can stand before {some} of {all} lights"),
+    };
+    Decision::new(Effect::Shadows, why, causes)
+}
+
+fn glints(plan: &Plan<'_>) -> Decision {
+    let is_lit = |index: usize| plan.unlit.iter().any(|unlit| unlit[index].is_none());
+    let shiny: Vec<_> = surfaces(plan, |surface| surface.common().material.has_glints()).collect();
+    let lit: Vec<_> = shiny.iter().filter(|(index, _)| is_lit(*index)).collect();
+    let why = match (shiny.len(), lit.len()) {
+        (0, _) => "no material has both `shininess` and `specular`".to_owned(),
+        (_, 0) => "no light lights what is shiny".to_owned(),
+        (_, 1) => "1 surface is shiny and lit".to_owned(),
+        (_, some) => format!("{some} surfaces are shiny and lit"),
+    };
+    let causes = lit
+        .into_iter()
+        .map(|(_, surface)| Cause::of_surface(*surface));
+    Decision::new(Effect::Glints, why, causes.collect())
+}
+
+fn antialiasing(plan: &Plan<'_>) -> Decision {
+    let samples = plan.scene.picture.samples;
+    let on = samples > 1;
+    let why = if on {
+        format!("`samples` asks for {samples} rays through each pixel")
+    } else {
+        "one ray goes through the centre of each pixel".to_owned()
+    };
+    Decision {
+        on,
+        ..Decision::new(Effect::Antialiasing, why, Vec::new())
+    }
+}
+
+/// What surfaces call for that rays can meet.
+fn of_surfaces(
+    plan: &Plan<'_>,
+    effect: Effect,
+    calls: impl Fn(&dyn Surface) -> bool,
+    [one_does, some_do]: [&str; 2],
+    attribute: &str,
+) -> Decision {
+    let calling: Vec<_> = surfaces(plan, calls).collect();
+    let seen: Vec<_> = calling
+        .iter()
+        .filter(|(index, _)| plan.seen[*index])
+        .collect();
+    let why = match (calling.len(), seen.len()) {
+        (0, _) => format!("no surface has {attribute}"),
+        (_, 0) => format!("no surface that can be seen has {attribute}"),
+        (_, 1) => format!("1 surface {one_does}"),
+        (_, some) => format!("{some} surfaces {some_do}"),
+    };
+    let causes = seen
+        .into_iter()
+        .map(|(_, surface)| Cause::of_surface(*surface));
+    Decision::new(effect, why, causes.collect())
+}
+
+/// What lights call for that light something.
+fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) -> Decision {
+    let lights = plan.scene.lights.iter().zip(&plan.unlit);
+    let calling: Vec<_> = lights.filter(|(light, _)| calls(light)).collect();
+    let useful = calling
+        .iter()
+        .filter(|(_, unlit)| unlit.iter().any(Option::is_none));
+    let causes: Vec<_> = useful.map(|(light, _)| Cause::of_light(light)).collect();
+    let title = effect.title();
+    let why = match (calling.len(), causes.len()) {
+        (0, _) => format!("the scene has no {title}"),
+        (_, 0) => format!("what is in the {title} cannot be lit or seen"),
+        (all, some) => format!("{some} of {all} {title} light something"),
+    };
+    Decision::new(effect, why, causes)
+}
+
+fn surfaces<'p>(
+    plan: &'p Plan<'_>,
+    calls: impl Fn(&dyn Surface) -> bool + 'p,
+) -> impl Iterator<Item = (usize, &'p dyn Surface)> {
+    let all = plan.scene.surfaces.iter().map(AsRef::as_ref).enumerate();
+    all.filter(move |(_, surface)| calls(*surface))
+}
+
+impl Decision {
+    /// An effect that is simulated if something calls for it.
+    fn new(effect: Effect, why: String, causes: Vec<Cause>) -> Self {
+        Self {
+            effect,
+            on: !causes.is_empty(),
+            why,
+            causes,
+        }
+    }
+}

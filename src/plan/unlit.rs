@@ -1,0 +1,63 @@
+//! Why the light of a light never arrives at a surface.
+
+use serde::Serialize;
+
+use super::beam;
+use crate::light::{Beam, Light};
+use crate::math::{Point, Side};
+use crate::surface::Surface;
+
+/// Why the light of a light never arrives at a surface, so that no ray asks for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unlit {
+    /// The light is behind the surface's plane or in it.
+    Behind,
+    /// The light has no emissivity.
+    Dark,
+    /// The surface has neither a diffuse colour nor glints.
+    Colorless,
+    /// The surface is outside of the light's cone or slide.
+    OutsideBeam,
+    /// Nobody sees the surface.
+    Unseen,
+}
+
+impl Unlit {
+    /// The reason that keeps a light from a surface; `None` if it may light it. `is_seen` tells
+    /// whether any ray can meet the surface.
+    #[must_use]
+    pub fn reason(light: &Light, surface: &dyn Surface, is_seen: bool) -> Option<Self> {
+        if Self::is_behind(light, surface) {
+            return Some(Self::Behind);
+        }
+        let [_, diffuse] = surface.brightest();
+        let answers = diffuse > 0.0 || surface.common().material.has_glints();
+        let passes_by = || match (&light.beam, surface.bounds()) {
+            (Beam::Everywhere, _) | (_, None) => false,
+            (Beam::Cone(cone), Some(bounds)) => beam::cone_passes_by(light.location, cone, &bounds),
+            (Beam::Slide(slide), Some(bounds)) => {
+                beam::slide_passes_by(light.location, &slide.rectangle, &bounds)
+            }
+        };
+        match () {
+            () if light.emissivity.is_black() => Some(Self::Dark),
+            () if !answers => Some(Self::Colorless),
+            () if !is_seen => Some(Self::Unseen),
+            () if passes_by() => Some(Self::OutsideBeam),
+            () => None,
+        }
+    }
+
+    /// Whether this is a rule of the picture, not only a saving.
+    #[must_use]
+    pub fn is_rule(self) -> bool {
+        self == Self::Behind
+    }
+
+    /// Whether a light is not before a flat surface: a rule of the picture, not only a saving, since
+    /// for a light in the plane itself rounding could say otherwise.
+    fn is_behind(light: &Light, surface: &dyn Surface) -> bool {
+        surface.flat().is_some() && surface.side(&Point::exact(light.location)) != Side::Front
+    }
+}
