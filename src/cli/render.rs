@@ -111,7 +111,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let threads = options.threads.map_or(0, usize::from);
     let pool = match rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
-        .stack_size(STACK)
+        .stack_size(render::STACK)
         .build()
     {
         Ok(pool) => pool,
@@ -139,9 +139,6 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     messages.tally(&statuses);
     statuses.into_iter().fold(Status::Done, Status::worst)
 }
-
-/// Stack of a render thread in bytes: room for the longest path of mirrored rays.
-const STACK: usize = 16 << 20;
 
 /// Renders one scene and writes its picture.
 fn picture<'a>(

@@ -45,8 +45,8 @@ fn shadows(plan: &Plan<'_>) -> Decision {
     let lights = plan.scene.lights.iter().zip(&plan.light_views);
     let all = lights.clone().count();
     let hidden = lights.filter(|(_, view)| {
-        let mut surfaces = 0..plan.scene.surfaces.len();
-        surfaces.any(|surface| !view.casters_of(surface).is_empty())
+        let mut receivers = surfaces(plan, |surface| surface.common().shadows.receive);
+        receivers.any(|(index, _)| !view.casters_of(index).is_empty())
     });
     let causes: Vec<_> = hidden.map(|(light, _)| cause_of_light(light)).collect();
     let why = match (all, causes.len()) {
