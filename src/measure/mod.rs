@@ -3,12 +3,18 @@
 mod change;
 mod check;
 mod clock;
+mod explain;
 mod price_list;
 mod prices;
+mod transcript;
 mod without;
 
 pub use change::Change;
 pub use check::check;
 pub use clock::Timing;
-pub use prices::{Price, Prices, Work, prices};
+pub use explain::{
+    EffectRow, Explanation, LightRow, NoShadow, SurfaceRow, TextureRow, Thing, Work, explain,
+};
+pub use prices::{Effort, Price, Prices, prices};
+pub use transcript::{PixelStory, Step, transcript};
 pub use without::{round_trip, without};

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::fmt::Write;
 
-use super::{Price, Prices, Timing, Work};
+use super::{Price, Prices, Timing, Effort};
 
 impl fmt::Display for Prices {
     /// The list of effects, what simulating everything costs, and both in words.
@@ -27,7 +27,7 @@ impl Prices {
             let pixels = percent(price.change.pixels);
             let most = format!("{:.1} codes", price.change.largest);
             let title = price.effect.title();
-            line(&mut text, title, &price.work, &takes, &pixels, &most);
+            line(&mut text, title, &price.effort, &takes, &pixels, &most);
         }
         text.push('\n');
         for price in &self.without {
@@ -52,15 +52,15 @@ impl Prices {
             ("called for", &self.whole, String::new()),
             ("everything", &self.everything, format!("× {takes:.2}")),
         ];
-        for (what, work, takes) in rows {
-            let counts = &work.counts;
-            let each = work.tests_per_shadow_ray();
+        for (what, effort, takes) in rows {
+            let counts = &effort.counts;
+            let each = effort.tests_per_shadow_ray();
             let each = each.map_or_else(|| "-".to_owned(), |each| format!("{each:.2}"));
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
                 "  {what:<14}{:>20}{takes:>9}{:>14}{:>14}{each:>8}",
-                work.time.to_string(),
+                effort.time.to_string(),
                 counts.shadow_rays,
                 counts.occlusion_tests,
             );
@@ -76,7 +76,7 @@ impl Prices {
 
 impl Price {
     /// The price as a sentence.
-    fn in_words(&self, whole: &Work) -> String {
+    fn in_words(&self, whole: &Effort) -> String {
         let gone = self.also_off.iter().map(|effect| effect.title());
         let gone: Vec<_> = [self.effect.title()].into_iter().chain(gone).collect();
         let change = match self.change.pixels {
@@ -86,7 +86,7 @@ impl Price {
         format!(
             "Without {} this picture {}; {change}.",
             gone.join(" and "),
-            how_long(self.work.time, whole.time)
+            how_long(self.effort.time, whole.time)
         )
     }
 }
@@ -99,8 +99,8 @@ impl fmt::Display for Timing {
     }
 }
 
-fn line(text: &mut String, title: &str, work: &Work, takes: &str, pixels: &str, most: &str) {
-    let (time, rays) = (work.time.to_string(), work.counts.rays());
+fn line(text: &mut String, title: &str, effort: &Effort, takes: &str, pixels: &str, most: &str) {
+    let (time, rays) = (effort.time.to_string(), effort.counts.rays());
     let line = format!("  {title:<14}{time:>20}{takes:>9}{rays:>14}{pixels:>12}{most:>12}");
     text.push_str(line.trim_end());
     text.push('\n');

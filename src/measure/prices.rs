@@ -18,16 +18,16 @@ pub struct Prices {
     /// How often everything was drawn; times are medians of so many runs.
     pub runs: u32,
     /// The scene as it is.
-    pub whole: Work,
+    pub whole: Effort,
     /// The scene with nothing left out that changes nothing; its picture is the same.
-    pub everything: Work,
+    pub everything: Effort,
     /// The scene without each effect that it calls for.
     pub without: Vec<Price>,
 }
 
 /// What it takes to draw a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Work {
+pub struct Effort {
     /// Processor time of one thread, in seconds; planning is a part of it, reading the scene is not.
     pub time: Timing,
     /// The work in numbers, which are the same in every run.
@@ -42,14 +42,14 @@ pub struct Price {
     /// What goes with it: other effects that are no longer called for.
     pub also_off: Vec<Effect>,
     /// What it takes to draw the scene without it.
-    pub work: Work,
+    pub effort: Effort,
     /// How many times as long as the whole scene that takes.
     pub takes: f64,
     /// How the picture without it differs.
     pub change: Change,
 }
 
-impl Work {
+impl Effort {
     /// Surfaces that are asked for each ray to a light, on average; `None` without such rays.
     #[must_use]
     pub fn tests_per_shadow_ray(&self) -> Option<f64> {
@@ -101,16 +101,16 @@ pub fn prices(
             progress(drawn, all);
         }
     }
-    let [whole, everything] = [&subjects[0], &subjects[1]].map(Subject::work);
+    let [whole, everything] = [&subjects[0], &subjects[1]].map(Subject::effort);
     let without = on.iter().zip(&subjects[2..]).map(|(effect, subject)| {
         let still = effects(subject.scene)?;
         let gone = |other: &Effect| other != effect && !still.contains(other);
-        let work = subject.work();
+        let effort = subject.effort();
         Ok(Price {
             effect: *effect,
             also_off: on.iter().copied().filter(gone).collect(),
-            work,
-            takes: work.time.over(whole.time),
+            effort,
+            takes: effort.time.over(whole.time),
             change: subject.change,
         })
     });
@@ -174,8 +174,8 @@ impl<'a> Subject<'a> {
         Ok(())
     }
 
-    fn work(&self) -> Work {
-        Work {
+    fn effort(&self) -> Effort {
+        Effort {
             time: Timing::of(&self.seconds),
             counts: self.counts,
         }

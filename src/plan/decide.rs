@@ -1,7 +1,6 @@
 //! Which effects a scene calls for.
 
 use super::{Cause, Decision, Effect, Plan};
-use crate::language::Location;
 use crate::light::{Beam, Light};
 use crate::surface::Surface;
 
@@ -48,7 +47,7 @@ fn shadows(plan: &Plan<'_>) -> Decision {
         let mut receivers = surfaces(plan, |surface| surface.common().shadows.receive);
         receivers.any(|(index, _)| !view.casters_of(index).is_empty())
     });
-    let causes: Vec<_> = hidden.map(|(light, _)| cause_of_light(light)).collect();
+    let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
     let why = match (all, causes.len()) {
         (0, _) => "there is no light".to_owned(),
         (_, 0) => "nothing can stand between a light and what it lights".to_owned(),
@@ -68,7 +67,9 @@ fn glints(plan: &Plan<'_>) -> Decision {
         (_, 1) => "1 surface is shiny and lit".to_owned(),
         (_, some) => format!("{some} surfaces are shiny and lit"),
     };
-    let causes = lit.into_iter().map(|(_, surface)| cause_of(*surface));
+    let causes = lit
+        .into_iter()
+        .map(|(_, surface)| Cause::of_surface(*surface));
     Decision::new(Effect::Glints, why, causes.collect())
 }
 
@@ -105,7 +106,9 @@ fn of_surfaces(
         (_, 1) => format!("1 surface {one_does}"),
         (_, some) => format!("{some} surfaces {some_do}"),
     };
-    let causes = seen.into_iter().map(|(_, surface)| cause_of(*surface));
+    let causes = seen
+        .into_iter()
+        .map(|(_, surface)| Cause::of_surface(*surface));
     Decision::new(effect, why, causes.collect())
 }
 
@@ -116,7 +119,7 @@ fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) ->
     let useful = calling
         .iter()
         .filter(|(_, unlit)| unlit.iter().any(Option::is_none));
-    let causes: Vec<_> = useful.map(|(light, _)| cause_of_light(light)).collect();
+    let causes: Vec<_> = useful.map(|(light, _)| Cause::of_light(light)).collect();
     let title = effect.title();
     let why = match (calling.len(), causes.len()) {
         (0, _) => format!("the scene has no {title}"),
@@ -132,28 +135,6 @@ fn surfaces<'p>(
 ) -> impl Iterator<Item = (usize, &'p dyn Surface)> {
     let all = plan.scene.surfaces.iter().map(AsRef::as_ref).enumerate();
     all.filter(move |(_, surface)| calls(*surface))
-}
-
-fn cause_of(surface: &dyn Surface) -> Cause {
-    let common = surface.common();
-    Cause::new(
-        surface.describe().schema.word,
-        common.name.as_deref(),
-        common.location,
-    )
-}
-
-fn cause_of_light(light: &Light) -> Cause {
-    let word = light.describe().schema.word;
-    Cause::new(word, light.name.as_deref(), light.place)
-}
-
-impl Cause {
-    /// A thing of this kind and name.
-    fn new(word: &str, name: Option<&str>, location: Option<Location>) -> Self {
-        let title = name.map_or_else(|| word.to_owned(), |name| format!("{word} {name:?}"));
-        Self { title, location }
-    }
 }
 
 impl Decision {

@@ -3,6 +3,8 @@
 use serde::Serialize;
 
 use crate::language::Location;
+use crate::light::Light;
+use crate::surface::Surface;
 
 /// Something that costs time and changes pictures, if a scene calls for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -75,4 +77,26 @@ pub struct Cause {
     pub title: String,
     /// Where it stands in the scene file, if it was read from one.
     pub location: Option<Location>,
+}
+
+impl Cause {
+    /// A surface.
+    #[must_use]
+    pub fn of_surface(surface: &dyn Surface) -> Self {
+        let common = surface.common();
+        let word = surface.describe().schema.word;
+        Self::new(word, common.name.as_deref(), common.location)
+    }
+
+    /// A light.
+    #[must_use]
+    pub fn of_light(light: &Light) -> Self {
+        let word = light.describe().schema.word;
+        Self::new(word, light.name.as_deref(), light.place)
+    }
+
+    fn new(word: &str, name: Option<&str>, location: Option<Location>) -> Self {
+        let title = name.map_or_else(|| word.to_owned(), |name| format!("{word} {name:?}"));
+        Self { title, location }
+    }
 }

@@ -3,7 +3,7 @@
 use std::iter::Sum;
 
 use super::{Counts, Probe, RayKind, Unfollowed};
-use crate::math::{Decisions, UNIT};
+use crate::math::{Decisions, Rgb, UNIT};
 use crate::surface::{Hit, Surface};
 
 /// What rounding may have done to a path by the time it meets a surface.
@@ -59,8 +59,8 @@ pub struct Certificate {
 }
 
 impl Probe for Certificate {
-    fn ray(&mut self, kind: RayKind) {
-        self.counts.ray(kind);
+    fn ray(&mut self, kind: RayKind, share: Rgb) {
+        self.counts.ray(kind, share);
     }
 
     fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {

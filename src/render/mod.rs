@@ -83,8 +83,9 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     Ok((film, seen))
 }
 
-/// The mean of a pixel's samples, unclamped, summed in their order.
-fn pixel_color(
+/// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
+/// samples, unclamped, summed in their order.
+pub fn pixel_color(
     tracer: Tracer<'_>,
     scene: &Scene,
     column: usize,

@@ -52,8 +52,8 @@ pub enum Arrival {
 
 /// Someone who is told what the tracer does. `()` does not listen and costs nothing.
 pub trait Probe {
-    /// A ray sets out.
-    fn ray(&mut self, _kind: RayKind) {}
+    /// A ray sets out; of what it brings back, its surface passes this share on.
+    fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
     /// A ray does not set out.
     fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
     /// The ray that set out last and has not come back yet meets the surface with this place in the
@@ -106,10 +106,35 @@ impl Counts {
     pub fn rays(&self) -> u64 {
         self.camera_rays + self.shadow_rays + self.mirror_rays + self.transmitted_rays
     }
+
+    /// The same counts times `of / pixels`, rounded: what so many pixels take if others are like
+    /// these.
+    #[must_use]
+    pub fn scaled(mut self, of: u64, pixels: u64) -> Self {
+        let scale = |count: &mut u64| {
+            let scaled = u128::from(*count) * u128::from(of) + u128::from(pixels / 2);
+            *count = u64::try_from(scaled / u128::from(pixels.max(1))).unwrap_or(u64::MAX);
+        };
+        let Self {
+            camera_rays,
+            shadow_rays,
+            mirror_rays,
+            transmitted_rays,
+            faint_rays,
+            capped_rays,
+            hit_tests,
+            occlusion_tests,
+            decisions,
+        } = &mut self;
+        [camera_rays, shadow_rays, mirror_rays, transmitted_rays].map(scale);
+        [faint_rays, capped_rays, hit_tests, occlusion_tests].map(scale);
+        [&mut decisions.exactly, &mut decisions.by_rule].map(scale);
+        self
+    }
 }
 
 impl Probe for Counts {
-    fn ray(&mut self, kind: RayKind) {
+    fn ray(&mut self, kind: RayKind, _share: Rgb) {
         match kind {
             RayKind::Camera => self.camera_rays += 1,
             RayKind::Shadow => self.shadow_rays += 1,

@@ -82,7 +82,7 @@ impl Tracer<'_> {
                 unasked: true,
             };
         }
-        probe.ray(RayKind::Shadow);
+        probe.ray(RayKind::Shadow, Rgb::WHITE);
         segment.span = self.plan.camera.span(&segment.ray);
         let mut tests = 0;
         let passed = view.transmittance(entry, hit, segment, &mut tests);

@@ -48,7 +48,7 @@ impl<'a> Tracer<'a> {
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
-        probe.ray(RayKind::Camera);
+        probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let mut budget = Budget {
             rays: MOST_BOUNCES,
@@ -117,7 +117,7 @@ impl<'a> Tracer<'a> {
                 Probe::not_followed(probe, kind, why);
                 return Rgb::BLACK;
             }
-            Probe::ray(probe, kind);
+            Probe::ray(probe, kind, share);
             let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, budget, probe)
         };

@@ -1,0 +1,218 @@
+//! How one pixel came by its colour.
+
+use serde::Serialize;
+
+use super::Thing;
+use crate::language::Refusal;
+use crate::math::Rgb;
+use crate::plan::{Cause, Plan, Scope};
+use crate::render::{Arrival, Errors, Probe, RayKind, Tracer, Unfollowed, pixel_color};
+use crate::scene::Scene;
+use crate::surface::{Hit, classic};
+
+/// How one pixel came by its colour: everything that the tracer did for it.
+#[derive(Debug, Clone, Serialize)]
+pub struct PixelStory {
+    /// Column and row, counted from the top left, from 0.
+    pub pixel: [u32; 2],
+    /// Its colour: the mean of all rays from the eye.
+    pub color: [f64; 3],
+    /// What each ray from the eye met and caused.
+    pub rays: Vec<Step>,
+}
+
+/// A ray, what it met, and what came of it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Step {
+    /// Where it comes from.
+    pub kind: &'static str,
+    /// The share of what it brings back that its surface passes on.
+    pub share: [f64; 3],
+    /// What it met; `None` for nothing.
+    pub met: Option<Met>,
+    /// What the surface itself sends back: ambient and the light of all lights, faded.
+    pub own: [f64; 3],
+    /// What each light did there.
+    pub lights: Vec<LightStep>,
+    /// The rays that it caused.
+    pub causes: Vec<Self>,
+    /// The rays that it did not cause, and why.
+    pub unfollowed: Vec<UnfollowedStep>,
+    /// What it brings back.
+    pub brings: [f64; 3],
+}
+
+/// Where a ray met a surface.
+#[derive(Debug, Clone, Serialize)]
+pub struct Met {
+    /// The surface.
+    pub surface: Thing,
+    /// The distance from where the ray set out.
+    pub distance: f64,
+    /// The place.
+    pub place: [f64; 3],
+    /// The colour of the surface's image there; white without one.
+    pub texel: [f64; 3],
+}
+
+/// What a light does where a ray has met a surface.
+#[derive(Debug, Clone, Serialize)]
+pub struct LightStep {
+    /// The light.
+    pub light: Thing,
+    /// What became of its light, in words.
+    pub what: String,
+    /// What arrives, before angle and distance; `None` if nothing does.
+    pub arrives: Option<[f64; 3]>,
+}
+
+/// A ray that did not set out.
+#[derive(Debug, Clone, Serialize)]
+pub struct UnfollowedStep {
+    /// Where it would have come from.
+    pub kind: &'static str,
+    /// Why it did not set out.
+    pub why: String,
+}
+
+/// How the pixel in a column and a row, counted from the top left, from 0, comes by its colour.
+///
+/// # Errors
+/// Refuses a camera that cannot exist, and a pixel outside of the picture.
+pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, Refusal> {
+    let (width, height) = (scene.picture.width, scene.picture.height);
+    if column >= width || row >= height {
+        let reason =
+            format!("there is no pixel {column},{row} in a picture of {width} by {height}");
+        let help = "columns and rows are counted from the top left, from 0";
+        return Err(Refusal::new("image", reason, help));
+    }
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let mut listener = Listener {
+        plan: &plan,
+        open: Vec::new(),
+        rays: Vec::new(),
+    };
+    let place = [column, row].map(|place| place as usize);
+    let tracer = Tracer::new(&plan);
+    let color = pixel_color(tracer, scene, place[0], place[1], &mut listener);
+    Ok(PixelStory {
+        pixel: [column, row],
+        color: color.channels(),
+        rays: listener.rays,
+    })
+}
+
+/// Writes down what the tracer does.
+struct Listener<'p, 'a> {
+    plan: &'p Plan<'a>,
+    /// The rays that have set out and not come back, the first one first.
+    open: Vec<Step>,
+    /// The rays from the eye that have come back.
+    rays: Vec<Step>,
+}
+
+impl Listener<'_, '_> {
+    /// Notes something about the ray that set out last.
+    fn note(&mut self, note: impl FnOnce(&mut Step)) {
+        if let Some(step) = self.open.last_mut() {
+            note(step);
+        }
+    }
+}
+
+impl Probe for Listener<'_, '_> {
+    fn ray(&mut self, kind: RayKind, share: Rgb) {
+        if kind == RayKind::Shadow {
+            return;
+        }
+        self.open.push(Step {
+            kind: word(kind),
+            share: share.channels(),
+            met: None,
+            own: [0.0; 3],
+            lights: Vec::new(),
+            causes: Vec::new(),
+            unfollowed: Vec::new(),
+            brings: [0.0; 3],
+        });
+    }
+
+    fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
+        let why = match why {
+            Unfollowed::BeyondReach => "the way from the eye is longer than `reach`".to_owned(),
+            Unfollowed::TooFaint(missed) => {
+                format!("it could add {missed:.1e} at most, and `cut-off` lets that go")
+            }
+            Unfollowed::Capped(missed) => {
+                format!("a thousand rays are enough; it could have added up to {missed:.1e}")
+            }
+        };
+        let kind = word(kind);
+        self.note(|step| step.unfollowed.push(UnfollowedStep { kind, why }));
+    }
+
+    fn met(&mut self, surface: usize, hit: &Hit, _errors: Errors) {
+        let scene = self.plan.scene;
+        let cause = Cause::of_surface(&*scene.surfaces[surface]);
+        let met = Met {
+            surface: Thing::of(&cause, &scene.sources),
+            distance: hit.t,
+            place: hit.point.world().to_array(),
+            texel: hit.texel.channels(),
+        };
+        self.note(|step| step.met = Some(met));
+    }
+
+    fn light(&mut self, light: usize, arrival: Arrival) {
+        let scene = self.plan.scene;
+        let surface = self.open.last().and_then(|step| step.met.as_ref());
+        let what = match arrival {
+            Arrival::Unplanned => "is planned to light nothing of this surface",
+            Arrival::Behind => "is behind the surface here",
+            Arrival::OutsideBeam => "does not shine here",
+            Arrival::Hidden => "is hidden",
+            Arrival::Light { unasked: true, .. } => {
+                "arrives; no ray was sent, for nothing can stand here in its way"
+            }
+            Arrival::Light { .. } => "arrives",
+        };
+        if surface.is_none() {
+            return;
+        }
+        let step = LightStep {
+            light: Thing::of(&Cause::of_light(&scene.lights[light]), &scene.sources),
+            what: what.to_owned(),
+            arrives: match arrival {
+                Arrival::Light { color, .. } => Some(color.channels()),
+                _ => None,
+            },
+        };
+        self.note(|open| open.lights.push(step));
+    }
+
+    fn own_color(&mut self, color: Rgb) {
+        self.note(|step| step.own = color.channels());
+    }
+
+    fn came_back(&mut self, color: Rgb) {
+        let Some(mut step) = self.open.pop() else {
+            return;
+        };
+        step.brings = color.channels();
+        match self.open.last_mut() {
+            Some(cause) => cause.causes.push(step),
+            None => self.rays.push(step),
+        }
+    }
+}
+
+fn word(kind: RayKind) -> &'static str {
+    match kind {
+        RayKind::Camera => "from the eye",
+        RayKind::Shadow => "to a light",
+        RayKind::Mirror => "mirrored",
+        RayKind::Transmitted => "transmitted",
+    }
+}
