@@ -29,6 +29,10 @@ pub(super) struct Report {
     largest_error: f64,
     /// In world units.
     largest_bounced_error: f64,
+    /// Rays that were not followed because a ray from the eye may cause only so many, and how much
+    /// intensity one of them could have added at most; `null` if nothing bounds it.
+    capped_rays: u64,
+    largest_residual: Option<f64>,
     non_finite_pixels: usize,
     picture_hash: String,
     #[serde(skip)]
@@ -40,6 +44,7 @@ pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> R
         counts,
         largest_error,
         largest_bounced_error,
+        largest_residual,
     } = *certificate;
     let decisions = counts.hit_tests + counts.occlusion_tests;
     let taken = counts.decisions;
@@ -56,6 +61,8 @@ pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> R
         largest_weld: distances.fold(0.0, f64::max),
         largest_error,
         largest_bounced_error,
+        capped_rays: counts.capped_rays,
+        largest_residual: Some(largest_residual).filter(|residual| residual.is_finite()),
         non_finite_pixels: film.non_finite().count(),
         picture_hash: film.hash(),
         robust: scene.picture.numerics == Numerics::Robust,
@@ -90,6 +97,14 @@ impl fmt::Display for Report {
                  surface tests       {} by rounded values without bounds ({})",
                 self.decisions, self.numerics,
             )?;
+        }
+        if self.capped_rays > 0 {
+            let worth = match self.largest_residual {
+                Some(residual) => format!("each worth {} at most", Short(residual)),
+                None => "and nothing bounds what mirrors without loss bring".to_owned(),
+            };
+            let rays = self.capped_rays;
+            writeln!(out, "  cut off by the cap  {rays} rays, {worth}")?;
         }
         writeln!(
             out,

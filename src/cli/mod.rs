@@ -5,6 +5,8 @@ mod certificate;
 mod check;
 mod convert;
 mod dump;
+mod explain;
+mod explanation;
 mod input;
 #[cfg(unix)]
 mod interrupt;
@@ -14,6 +16,7 @@ mod progress;
 mod render;
 mod stats;
 mod status;
+mod story;
 mod welds;
 
 use std::process::ExitCode;
@@ -76,6 +79,7 @@ enum Color {
 enum Command {
     Render(render::Options),
     Check(check::Options),
+    Explain(explain::Options),
     Dump(dump::Options),
     Convert(convert::Options),
 }
@@ -166,6 +170,7 @@ fn run(command: &Command, messages: &Messages) -> Status {
     match command {
         Command::Render(options) => render::run(options, messages),
         Command::Check(options) => check::run(options, messages),
+        Command::Explain(options) => explain::run(options, messages),
         Command::Dump(options) => dump::run(options, messages),
         Command::Convert(options) => convert::run(options, messages),
     }

@@ -109,14 +109,10 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         }
     };
     let threads = options.threads.map_or(0, usize::from);
-    let pool = match rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .stack_size(render::STACK)
-        .build()
-    {
+    let pool = match pool(threads) {
         Ok(pool) => pool,
         Err(error) => {
-            messages.error(&format!("error: cannot start {threads} threads: {error}"));
+            messages.error(&format!("error: {error}"));
             return Status::Io;
         }
     };
@@ -138,6 +134,13 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let statuses: Vec<_> = options.scenes.iter().zip(&outputs).map(one).collect();
     messages.tally(&statuses);
     statuses.into_iter().fold(Status::Done, Status::worst)
+}
+
+/// So many threads to render with; as many as there are processors if 0.
+pub(super) fn pool(threads: usize) -> Result<rayon::ThreadPool, String> {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = builder.stack_size(render::STACK).build();
+    pool.map_err(|error| format!("cannot start {threads} threads: {error}"))
 }
 
 /// Renders one scene and writes its picture.

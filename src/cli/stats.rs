@@ -2,8 +2,13 @@
 
 use crate::render::Counts;
 
-/// How much work a picture took, a line for each kind of it.
+/// How much work a picture took.
 pub(super) fn table(counts: &Counts) -> String {
+    format!("work\n{}", lines(counts))
+}
+
+/// A line for each kind of work.
+pub(super) fn lines(counts: &Counts) -> String {
     let lines = [
         ("rays from the eye", counts.camera_rays),
         ("rays to lights", counts.shadow_rays),
@@ -17,5 +22,5 @@ pub(super) fn table(counts: &Counts) -> String {
         ("ties by rule", counts.decisions.by_rule),
     ];
     let lines = lines.map(|(what, count)| format!("  {what:<28}{count:>14}\n"));
-    format!("work\n{}", lines.concat())
+    lines.concat()
 }

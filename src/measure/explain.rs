@@ -41,6 +41,9 @@ pub struct EffectRow {
     pub on: bool,
     /// Why, in words.
     pub why: String,
+    /// How many rays it causes, counted or estimated like the [`work`](Explanation::work); `None` for
+    /// effects that cause none of their own.
+    pub rays: Option<u64>,
     /// What calls for it.
     pub because_of: Vec<Thing>,
 }
@@ -130,6 +133,12 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
     let sources = &scene.sources;
     let surfaces = scene.surfaces.iter().zip(&plan.seen);
+    let work = if measure {
+        Work::counted(scene)?
+    } else {
+        Work::estimated(&plan)
+    };
+    let pixels = u64::from(scene.picture.width) * u64::from(scene.picture.height);
     Ok(Explanation {
         size: [scene.picture.width, scene.picture.height],
         samples: scene.picture.samples,
@@ -137,7 +146,7 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
         effects: plan
             .decisions()
             .into_iter()
-            .map(|decision| EffectRow::of(decision, sources))
+            .map(|decision| EffectRow::of(decision, &work.counts, pixels, sources))
             .collect(),
         lights: (0..scene.lights.len())
             .map(|light| LightRow::of(&plan, light))
@@ -158,18 +167,21 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
             })
             .collect(),
         cut_off: scene.picture.cut_off,
-        work: if measure {
-            Work::counted(scene)?
-        } else {
-            Work::estimated(&plan)
-        },
+        work,
     })
 }
 
 impl EffectRow {
-    fn of(decision: Decision, sources: &Sources) -> Self {
+    fn of(decision: Decision, counts: &Counts, pixels: u64, sources: &Sources) -> Self {
         let causes = decision.causes.iter();
         Self {
+            rays: match decision.effect {
+                Effect::Shadows => Some(counts.shadow_rays),
+                Effect::Mirrors => Some(counts.mirror_rays),
+                Effect::Transparency => Some(counts.transmitted_rays),
+                Effect::Antialiasing => Some(counts.camera_rays - pixels),
+                Effect::Glints | Effect::SpotCones | Effect::Projectors | Effect::Textures => None,
+            },
             effect: decision.effect,
             on: decision.on,
             why: decision.why,
@@ -258,6 +270,12 @@ fn no_shadow(plan: &Plan<'_>, light: usize, caster: usize) -> NoShadow {
 }
 
 impl Work {
+    /// Whether it was counted, not estimated.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.pixels == self.of
+    }
+
     /// The work of the whole picture.
     fn counted(scene: &Scene) -> Result<Self, Refusal> {
         let (_, counts) = render(scene, &|_| ())?;

@@ -65,7 +65,8 @@ impl Effort {
 }
 
 /// Measures what the effects of a scene cost: draws it as it is, with everything simulated, and
-/// without each effect that its plan says is on, all of them in turn, as often as `runs` says.
+/// without each effect that its plan says is on, all of them in turn, as often as `runs` says,
+/// and once at least.
 ///
 /// `progress` is told how many of how many pictures are drawn.
 ///
@@ -89,6 +90,7 @@ pub fn prices(
         .chain(lesser)
         .map(|(scene, scope)| Subject::new(scene, scope))
         .collect();
+    let runs = runs.max(1);
     let all = runs as usize * subjects.len();
     let pool = one_thread()?;
     // Not measured: the first picture also fetches program and textures into the caches.

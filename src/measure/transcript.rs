@@ -169,14 +169,14 @@ impl Probe for Listener<'_, '_> {
         let scene = self.plan.scene;
         let surface = self.open.last().and_then(|step| step.met.as_ref());
         let what = match arrival {
-            Arrival::Unplanned => "is planned to light nothing of this surface",
-            Arrival::Behind => "is behind the surface here",
-            Arrival::OutsideBeam => "does not shine here",
-            Arrival::Hidden => "is hidden",
+            Arrival::Unplanned => "cannot light this surface",
+            Arrival::Behind => "behind the surface",
+            Arrival::OutsideBeam => "its beam passes by",
+            Arrival::Hidden => "hidden, as a ray found out",
             Arrival::Light { unasked: true, .. } => {
-                "arrives; no ray was sent, for nothing can stand here in its way"
+                "arrives; no ray was sent, for nothing can stand in its way here"
             }
-            Arrival::Light { .. } => "arrives",
+            Arrival::Light { .. } => "arrives, as a ray found out",
         };
         if surface.is_none() {
             return;

@@ -54,6 +54,9 @@ pub struct Certificate {
     pub counts: Counts,
     /// The largest error of a hit that the eye sees directly, in world units.
     pub largest_error: f64,
+    /// How much at most a ray could have added that was not followed because its ray from the eye had
+    /// caused as many as it may; infinite if nothing bounds it.
+    pub largest_residual: f64,
     /// The largest estimate for hits that it sees in mirrors and through panes, in world units.
     pub largest_bounced_error: f64,
 }
@@ -65,6 +68,9 @@ impl Probe for Certificate {
 
     fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
         self.counts.not_followed(kind, why);
+        if let Unfollowed::Capped(missed) = why {
+            self.largest_residual = self.largest_residual.max(missed);
+        }
     }
 
     fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
@@ -95,6 +101,7 @@ impl Sum for Certificate {
         all.fold(Self::default(), |sum, next| Self {
             counts: [sum.counts, next.counts].into_iter().sum(),
             largest_error: sum.largest_error.max(next.largest_error),
+            largest_residual: sum.largest_residual.max(next.largest_residual),
             largest_bounced_error: sum.largest_bounced_error.max(next.largest_bounced_error),
         })
     }

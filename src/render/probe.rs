@@ -111,10 +111,14 @@ impl Counts {
     /// these.
     #[must_use]
     pub fn scaled(mut self, of: u64, pixels: u64) -> Self {
-        let scale = |count: &mut u64| {
+        for count in self.each() {
             let scaled = u128::from(*count) * u128::from(of) + u128::from(pixels / 2);
             *count = u64::try_from(scaled / u128::from(pixels.max(1))).unwrap_or(u64::MAX);
-        };
+        }
+        self
+    }
+
+    fn each(&mut self) -> [&mut u64; 10] {
         let Self {
             camera_rays,
             shadow_rays,
@@ -124,12 +128,20 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
-            decisions,
-        } = &mut self;
-        [camera_rays, shadow_rays, mirror_rays, transmitted_rays].map(scale);
-        [faint_rays, capped_rays, hit_tests, occlusion_tests].map(scale);
-        [&mut decisions.exactly, &mut decisions.by_rule].map(scale);
-        self
+            decisions: Decisions { exactly, by_rule },
+        } = self;
+        [
+            camera_rays,
+            shadow_rays,
+            mirror_rays,
+            transmitted_rays,
+            faint_rays,
+            capped_rays,
+            hit_tests,
+            occlusion_tests,
+            exactly,
+            by_rule,
+        ]
     }
 }
 
@@ -166,16 +178,11 @@ impl Probe for Counts {
 
 impl Sum for Counts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
-        counts.fold(Self::default(), |sum, next| Self {
-            camera_rays: sum.camera_rays + next.camera_rays,
-            shadow_rays: sum.shadow_rays + next.shadow_rays,
-            mirror_rays: sum.mirror_rays + next.mirror_rays,
-            transmitted_rays: sum.transmitted_rays + next.transmitted_rays,
-            faint_rays: sum.faint_rays + next.faint_rays,
-            capped_rays: sum.capped_rays + next.capped_rays,
-            hit_tests: sum.hit_tests + next.hit_tests,
-            occlusion_tests: sum.occlusion_tests + next.occlusion_tests,
-            decisions: sum.decisions + next.decisions,
+        counts.fold(Self::default(), |mut sum, mut next| {
+            for (sum, next) in sum.each().into_iter().zip(next.each()) {
+                *sum += *next;
+            }
+            sum
         })
     }
 }

@@ -1,0 +1,141 @@
+//! `heliodon explain`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::input::Failure;
+use super::messages::{Messages, problems_json};
+use super::{Status, explanation, input, progress, render, story};
+use crate::language::Refusal;
+use crate::measure::{self, Prices};
+use crate::read::Reading;
+use crate::scene::Scene;
+
+/// Tells what of a scene is simulated and why, and what is left out.
+///
+/// What is left out is proven to change nothing: `render --simulate-everything` gives the same
+/// bytes. The rays are estimated from some of the pixels; --measure counts them.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// Scene file; `-` is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    format: input::SceneFormat,
+    /// Tell how one pixel comes by its colour instead: column and row, from 0, from the top left.
+    #[arg(long, value_name = "X,Y", value_parser = pixel, conflicts_with = "measure")]
+    pixel: Option<[u32; 2]>,
+    /// Count the rays by tracing the whole picture.
+    #[arg(long)]
+    measure: bool,
+    /// Draw the scene without each effect that is on, and tell what that saves and changes.
+    #[arg(long, conflicts_with = "pixel")]
+    prices: bool,
+    /// How often to draw everything for the prices.
+    #[arg(long, value_name = "N", default_value = "5", requires = "prices", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    runs: u32,
+    /// Print the answer as JSON on standard output.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A column and a row from `12,34`.
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let places = text
+        .split_once(',')
+        .and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+    places.ok_or_else(|| "expected a column and a row, such as 400,300".to_owned())
+}
+
+pub(super) fn run(options: &Options, messages: &Messages) -> Status {
+    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+        Ok(reading) => reading,
+        Err(failure) if options.json => {
+            return messages.result(&failure.json(&options.scene), failure.status);
+        }
+        Err(failure) => return failure.status,
+    };
+    let pool = match render::pool(0) {
+        Ok(pool) => pool,
+        Err(error) => {
+            messages.error(&format!("error: {error}"));
+            return Status::Io;
+        }
+    };
+    match pool.install(|| answer(options, &reading, messages)) {
+        Ok(text) => messages.result(&text, Status::Done),
+        Err(refusal) => {
+            let title = input::title(&options.scene);
+            let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+            let status = if options.pixel.is_some() {
+                Status::Usage
+            } else {
+                Status::BadInput
+            };
+            let failure = Failure::new(status, error, messages);
+            if options.json {
+                return messages.result(&failure.json(&options.scene), failure.status);
+            }
+            failure.status
+        }
+    }
+}
+
+/// What is printed, if the scene can be rendered.
+fn answer(
+    options: &Options,
+    reading: &Reading,
+    messages: &Messages,
+) -> Result<String, Refusal> {
+    let (scene, title) = (&reading.scene, input::title(&options.scene));
+    let as_json = |value: serde_json::Value| {
+        let line = serde_json::json!({
+            "scene": title,
+            "exit": Status::Done.code(),
+            "problems": problems_json(&reading.warnings, &scene.sources),
+        });
+        let mut line = line;
+        if let (Some(line), serde_json::Value::Object(value)) = (line.as_object_mut(), value) {
+            line.extend(value);
+        }
+        format!("{line}\n")
+    };
+    if let Some(pixel) = options.pixel {
+        let story = measure::transcript(scene, pixel)?;
+        return Ok(if options.json {
+            as_json(serde_json::json!(story))
+        } else {
+            story::text(&story, scene, &title)
+        });
+    }
+    let explanation = measure::explain(scene, options.measure)?;
+    let prices = options.prices.then(|| prices(scene, options, messages));
+    let prices = prices.transpose()?;
+    if options.json {
+        let mut answer = serde_json::json!(explanation);
+        if let Some(prices) = prices {
+            answer["prices"] = serde_json::json!(prices);
+        }
+        return Ok(as_json(answer));
+    }
+    let mut text = explanation::text(&explanation, &title);
+    if let Some(prices) = prices {
+        text += &format!(
+            "\nprices, in processor time of one thread: medians of {} runs and their deviation\n{prices}",
+            prices.runs
+        );
+    }
+    Ok(text)
+}
+
+/// What the effects of a scene cost.
+fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, Refusal> {
+    let bar = progress::bar(&input::title(&options.scene), 0, messages);
+    let prices = measure::prices(scene, options.runs, &|drawn, of| {
+        bar.set_length(of as u64);
+        bar.set_position(drawn as u64);
+    });
+    bar.finish_and_clear();
+    prices
+}

@@ -1,0 +1,129 @@
+//! What `explain --pixel` prints.
+
+use std::fmt::Write;
+
+use super::explanation::placed;
+use crate::film::Film;
+use crate::math::Rgb;
+use crate::measure::{PixelStory, Step};
+use crate::scene::Scene;
+
+/// The story of a pixel for people.
+pub(super) fn text(story: &PixelStory, scene: &Scene, title: &str) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    let _ = write_text(&mut text, story, scene, title);
+    text
+}
+
+fn write_text(
+    out: &mut String,
+    story: &PixelStory,
+    scene: &Scene,
+    title: &str,
+) -> std::fmt::Result {
+    let [x, y] = story.pixel;
+    let code = code_values(story.color, scene);
+    let color = color(story.color);
+    writeln!(
+        out,
+        "pixel {x},{y} of {title}: {color}, in the picture {code}"
+    )?;
+    let many = story.rays.len() > 1;
+    for (index, ray) in story.rays.iter().enumerate() {
+        if many {
+            writeln!(out, "\nray {} of {}", index + 1, story.rays.len())?;
+        }
+        step(out, ray, title, if many { 1 } else { 0 })?;
+    }
+    Ok(())
+}
+
+fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Result {
+    let indent = 2 * depth;
+    let share = if ray.share == [1.0; 3] {
+        String::new()
+    } else {
+        format!(", of which {} counts", color(ray.share))
+    };
+    let kind = ray.kind;
+    let Some(met) = &ray.met else {
+        return writeln!(out, "{:indent$}ray {kind} meets nothing", "");
+    };
+    let [x, y, z] = met.place.map(number);
+    writeln!(
+        out,
+        "{:indent$}ray {kind}{share}\n{:indent$}  meets {} after {}, at {x} {y} {z}",
+        "",
+        "",
+        placed(&met.surface, title),
+        number(met.distance),
+    )?;
+    if met.texel != [1.0; 3] {
+        writeln!(
+            out,
+            "{:indent$}  its image is {} there",
+            "",
+            color(met.texel)
+        )?;
+    }
+    for light in &ray.lights {
+        let arrives = light.arrives.map(|arrives| color(arrives) + " ");
+        let arrives = arrives.unwrap_or_default();
+        let light_title = placed(&light.light, title);
+        writeln!(
+            out,
+            "{:indent$}  {light_title}: {arrives}{}",
+            "", light.what
+        )?;
+    }
+    writeln!(
+        out,
+        "{:indent$}  sends back {} of its own",
+        "",
+        color(ray.own)
+    )?;
+    for unfollowed in &ray.unfollowed {
+        let (kind, why) = (unfollowed.kind, &unfollowed.why);
+        writeln!(out, "{:indent$}  no ray {kind}: {why}", "")?;
+    }
+    for caused in &ray.causes {
+        step(out, caused, title, depth + 1)?;
+    }
+    if !ray.causes.is_empty() {
+        writeln!(
+            out,
+            "{:indent$}  sends back {} in all",
+            "",
+            color(ray.brings)
+        )?;
+    }
+    Ok(())
+}
+
+/// What the picture's file says of a colour.
+fn code_values(color: [f64; 3], scene: &Scene) -> String {
+    let Some(mut film) = Film::new(1, 1) else {
+        return String::new();
+    };
+    if let Some(pixel) = film.pixels_mut().first_mut() {
+        let [r, g, b] = color;
+        *pixel = Rgb::new(r, g, b);
+    }
+    let bytes = film.bytes(scene.picture.rounding);
+    let codes: Vec<_> = bytes.iter().map(u8::to_string).collect();
+    codes.join(" ")
+}
+
+fn color(color: [f64; 3]) -> String {
+    color.map(number).join(" ")
+}
+
+/// A number with four digits, but no more behind the point than it needs.
+fn number(number: f64) -> String {
+    if number != 0.0 && !(1e-3..1e6).contains(&number.abs()) {
+        return format!("{number:.3e}");
+    }
+    let fixed = format!("{number:.4}");
+    fixed.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
