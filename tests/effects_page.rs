@@ -62,7 +62,8 @@ fn the_page_says_what_is_measured() {
     let pairs = written.iter().zip(&measured);
     for (written, measured) in pairs.filter(|(written, _)| !runs(written)) {
         assert_eq!(
-            written, measured,
+            written,
+            measured,
             "{} is out of date; `cargo run --release --example effects` writes it anew",
             page::DOCUMENT
         );

@@ -14,9 +14,14 @@ use heliodon::surface::classic;
 fn scenes() -> Vec<(PathBuf, Scene)> {
     let folders = ["scenes", "tests/good", "tests/course"].map(Path::new);
     let entries = folders.iter().flat_map(std::fs::read_dir);
-    let paths = entries.flatten().map(|entry| entry.expect("an entry").path());
+    let paths = entries
+        .flatten()
+        .map(|entry| entry.expect("an entry").path());
     let mut paths: Vec<_> = paths
-        .filter(|path| path.extension().is_some_and(|it| it == "kdl" || it == "txt"))
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|it| it == "kdl" || it == "txt")
+        })
         .collect();
     paths.sort();
     let options = Options {
@@ -37,7 +42,9 @@ fn scenes() -> Vec<(PathBuf, Scene)> {
 fn scene(text: &str) -> Scene {
     let options = Options::default();
     let reading = read_bytes("test", text.into(), PathBuf::from("scenes"), &options);
-    reading.unwrap_or_else(|no| panic!("{:?}", no.problems)).scene
+    reading
+        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .scene
 }
 
 fn draw(scene: &Scene) -> (Film, Counts) {

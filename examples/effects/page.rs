@@ -89,7 +89,11 @@ fn elisions(lists: &[List]) -> String {
         });
         let takes = everything.time.over(whole.time);
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "| {} | {called} | {all} | × {takes:.2} |", list.link());
+        let _ = writeln!(
+            text,
+            "| {} | {called} | {all} | × {takes:.2} |",
+            list.link()
+        );
     }
     text
 }

@@ -83,11 +83,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 }
 
 /// What is printed, if the scene can be rendered.
-fn answer(
-    options: &Options,
-    reading: &Reading,
-    messages: &Messages,
-) -> Result<String, Refusal> {
+fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, Refusal> {
     let (scene, title) = (&reading.scene, input::title(&options.scene));
     let as_json = |value: serde_json::Value| {
         let line = serde_json::json!({

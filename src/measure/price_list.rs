@@ -3,7 +3,7 @@
 use std::fmt;
 use std::fmt::Write;
 
-use super::{Price, Prices, Timing, Effort};
+use super::{Effort, Price, Prices, Timing};
 
 impl fmt::Display for Prices {
     /// The list of effects, what simulating everything costs, and both in words.
