@@ -72,10 +72,9 @@ fn a_scene_that_is_written_and_read_renders_to_the_same_bytes() {
 
 #[test]
 fn a_scene_without_an_effect_does_not_call_for_it() {
-    let mut met = Vec::new();
+    let mut seen = Vec::new();
     for (path, scene) in scenes() {
         for effect in effects(&scene) {
-            met.push(effect);
             let less = without(&scene, effect).expect("a scene without it");
             let left = effects(&less);
             let title = format!("{} without {}", path.display(), effect.title());
@@ -83,7 +82,10 @@ fn a_scene_without_an_effect_does_not_call_for_it() {
             assert_eq!(less.surfaces.len(), scene.surfaces.len(), "{title}");
             assert_eq!(less.lights.len(), scene.lights.len(), "{title}");
             let (film, counts) = draw(&less);
-            assert_ne!(film.hash(), draw(&scene).0.hash(), "{title}");
+            // Shadows may fall where nobody looks.
+            if film.hash() != draw(&scene).0.hash() {
+                seen.push(effect);
+            }
             let gone = match effect {
                 Effect::Shadows => counts.shadow_rays,
                 Effect::Mirrors => counts.mirror_rays,
@@ -94,7 +96,7 @@ fn a_scene_without_an_effect_does_not_call_for_it() {
         }
     }
     for effect in Effect::ALL {
-        assert!(met.contains(&effect), "no scene has {}", effect.title());
+        assert!(seen.contains(&effect), "no scene shows {}", effect.title());
     }
 }
 

@@ -7,7 +7,7 @@ mod page;
 
 use std::error::Error;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let runs = match std::env::args().nth(1) {
         Some(runs) => runs.parse()?,
         None => 5,
