@@ -17,12 +17,14 @@ fn timeless(line: &str) -> Option<String> {
         return None;
     }
     let words: Vec<_> = line.split_whitespace().collect();
+    // As in `12.3 ± 0.4 ms` and `× 0.56`.
+    let is = |at: usize, marks: &[&str]| words.get(at).is_some_and(|word| marks.contains(word));
     let is_time = |index: usize| {
-        let is = |at: Option<usize>, word| at.and_then(|at| words.get(at)) == Some(&word);
-        // As in `12.3 ± 0.4 ms` and `× 0.56`.
-        is(Some(index + 1), "±")
-            || (0..3).any(|back| is(index.checked_sub(back), "±"))
-            || (0..2).any(|back| is(index.checked_sub(back), "×"))
+        let units = &["±", "ms"];
+        is(index, units)
+            || is(index + 1, units)
+            || is(index, &["×"])
+            || index > 0 && is(index - 1, &["×"])
     };
     let kept = words.iter().enumerate();
     let kept: Vec<_> = kept
@@ -43,6 +45,7 @@ fn times_and_nothing_else_are_taken_out() {
         timeless("| a | 10 | 1.50 | 3.0 ± 0.1 ms | 20 | 4.0 ± 0.2 ms | × 1.33 |"),
         "| a | 10 | 1.50 | | 20 | | |"
     );
+    assert_eq!(timeless("  shadows   12.3 ms   × 0.56   8"), "shadows 8");
     assert_eq!(timeless("Without shadows it takes"), "");
 }
 

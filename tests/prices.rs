@@ -1,6 +1,7 @@
 //! What was priced is a scene that its user can have, with the effect off and nothing else changed.
 
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
 
 use heliodon::film::Film;
 use heliodon::measure::{prices, round_trip, without};
@@ -158,4 +159,59 @@ fn a_scene_without_effects_has_no_prices_but_for_everything() {
     assert!(prices.without.is_empty());
     assert!(prices.list().contains("no effect"), "{}", prices.list());
     assert_eq!(prices.whole.tests_per_shadow_ray(), None);
+}
+
+fn heliodon(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
+    command.args(arguments).output().expect("heliodon runs")
+}
+
+#[test]
+fn explain_tells_prices_if_it_is_asked_to() {
+    let output = heliodon(&[
+        "explain",
+        "tests/course/room.txt",
+        "--prices",
+        "--runs",
+        "2",
+        "--json",
+    ]);
+    assert!(output.status.success());
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let prices = &answer["prices"];
+    assert_eq!(prices["runs"], 2);
+    let without = prices["without"].as_array().expect("a list");
+    let effects = answer["effects"].as_array().expect("a list");
+    let on = effects.iter().filter(|effect| effect["on"] == true);
+    let on: Vec<_> = on.map(|effect| &effect["effect"]).collect();
+    assert!(!on.is_empty());
+    assert_eq!(
+        without
+            .iter()
+            .map(|price| &price["effect"])
+            .collect::<Vec<_>>(),
+        on
+    );
+    assert!(prices["whole"]["time"]["median"].as_f64() > Some(0.0));
+
+    let output = heliodon(&[
+        "explain",
+        "tests/course/room.txt",
+        "--prices",
+        "--runs",
+        "1",
+    ]);
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert!(
+        text.contains("\nprices, in processor time of one thread: one run\n"),
+        "{text}"
+    );
+    let output = heliodon(&["explain", "tests/course/room.txt"]);
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("prices"));
+}
+
+#[test]
+fn runs_without_prices_make_no_sense() {
+    let output = heliodon(&["explain", "tests/course/room.txt", "--runs", "2"]);
+    assert_eq!(output.status.code(), Some(2));
 }

@@ -12,7 +12,7 @@ use heliodon::read::{Options, read_file};
 pub(crate) const DOCUMENT: &str = "docs/effects.md";
 
 /// The size of the pictures that are measured: small enough for a test, large enough for a clock.
-const SIZE: [u32; 2] = [320, 240];
+const SIZE: [u32; 2] = [240, 180];
 
 const START: &str = "<!-- What follows is measured by `examples/effects`. -->\n";
 const END: &str = "<!-- The end of what is measured. -->\n";

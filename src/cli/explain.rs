@@ -117,10 +117,11 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     }
     let mut text = explanation::text(&explanation, &title);
     if let Some(prices) = prices {
-        text += &format!(
-            "\nprices, in processor time of one thread: medians of {} runs and their deviation\n{prices}",
-            prices.runs
-        );
+        let runs = match prices.runs {
+            1 => "one run".to_owned(),
+            runs => format!("medians of {runs} runs, and their median absolute deviation"),
+        };
+        text += &format!("\nprices, in processor time of one thread: {runs}\n{prices}");
     }
     Ok(text)
 }

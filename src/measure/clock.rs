@@ -8,8 +8,8 @@ use serde::Serialize;
 pub struct Timing {
     /// The median of the runs.
     pub median: f64,
-    /// The median of how far the runs are from that.
-    pub deviation: f64,
+    /// The median of how far the runs are from that; `None` of a single run.
+    pub deviation: Option<f64>,
 }
 
 impl Timing {
@@ -20,7 +20,7 @@ impl Timing {
         let far = runs.iter().map(|run| (run - median).abs());
         Self {
             median,
-            deviation: median_of(far.collect()),
+            deviation: (runs.len() > 1).then(|| median_of(far.collect())),
         }
     }
 
@@ -30,10 +30,13 @@ impl Timing {
         self.median / other.median
     }
 
-    /// Whether this and another are no further apart than runs of each are from each other.
+    /// Whether this and another are no further apart than their deviations; not known of a single
+    /// run.
     #[must_use]
     pub fn is_like(self, other: Self) -> bool {
-        (self.median - other.median).abs() <= self.deviation + other.deviation
+        let deviations = self.deviation.zip(other.deviation);
+        deviations
+            .is_some_and(|(this, other_one)| (self.median - other.median).abs() <= this + other_one)
     }
 }
 
@@ -62,15 +65,21 @@ mod tests {
     #[test]
     fn one_slow_run_counts_for_little() {
         let timing = Timing::of(&[5.0, 1.0, 3.0, 2.0, 900.0]);
-        assert_eq!((timing.median, timing.deviation), (3.0, 2.0));
+        assert_eq!((timing.median, timing.deviation), (3.0, Some(2.0)));
         let timing = Timing::of(&[1.0, 2.0, 4.0, 8.0]);
-        assert_eq!((timing.median, timing.deviation), (3.0, 1.5));
+        assert_eq!((timing.median, timing.deviation), (3.0, Some(1.5)));
         assert_eq!(Timing::of(&[]).median, 0.0);
+        let single = Timing::of(&[2.0]);
+        assert_eq!((single.median, single.deviation), (2.0, None));
+        assert!(!single.is_like(single), "nobody knows");
     }
 
     #[test]
     fn timings_are_alike_within_their_deviations() {
-        let of = |median, deviation| Timing { median, deviation };
+        let of = |median, deviation| Timing {
+            median,
+            deviation: Some(deviation),
+        };
         assert!(of(3.0, 0.5).is_like(of(4.0, 0.5)));
         assert!(!of(3.0, 0.5).is_like(of(4.0, 0.25)));
     }

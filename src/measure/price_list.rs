@@ -18,7 +18,7 @@ impl Prices {
     #[must_use]
     pub fn list(&self) -> String {
         let mut text = format!(
-            "  {:<14}{:>20}{:>9}{:>14}{:>12}{:>12}\n",
+            "  {:<14}{:>20}{:>9}{:>14}{:>11}{:>14}\n",
             "without", "time", "takes", "rays", "pixels", "by at most"
         );
         line(&mut text, "(as it is)", &self.whole, "", "", "");
@@ -94,22 +94,25 @@ impl Price {
 impl fmt::Display for Timing {
     /// Median and deviation in milliseconds.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [median, deviation] = [self.median, self.deviation].map(|seconds| 1000.0 * seconds);
-        write!(out, "{median:.1} ± {deviation:.1} ms")
+        write!(out, "{:.1}", 1000.0 * self.median)?;
+        if let Some(deviation) = self.deviation {
+            write!(out, " ± {:.1}", 1000.0 * deviation)?;
+        }
+        out.write_str(" ms")
     }
 }
 
 fn line(text: &mut String, title: &str, effort: &Effort, takes: &str, pixels: &str, most: &str) {
     let (time, rays) = (effort.time.to_string(), effort.counts.rays());
-    let line = format!("  {title:<14}{time:>20}{takes:>9}{rays:>14}{pixels:>12}{most:>12}");
+    let line = format!("  {title:<14}{time:>20}{takes:>9}{rays:>14}{pixels:>11}{most:>14}");
     text.push_str(line.trim_end());
     text.push('\n');
 }
 
-/// How long something takes beside something else.
+/// How long something takes beside something else; about as long if the runs show no difference.
 fn how_long(this: Timing, other: Timing) -> String {
     if this.is_like(other) {
-        return "takes as long, as far as these runs can tell".to_owned();
+        return "takes about as long".to_owned();
     }
     format!("takes {:.2} times as long", this.over(other))
 }
