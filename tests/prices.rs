@@ -178,6 +178,11 @@ fn explain_tells_prices_if_it_is_asked_to() {
     ]);
     assert!(output.status.success());
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let schema = std::fs::read_to_string("docs/explain.schema.json").expect("the schema");
+    let schema = serde_json::from_str(&schema).expect("JSON");
+    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    let errors: Vec<_> = validator.iter_errors(&answer).collect();
+    assert!(errors.is_empty(), "{errors:?}");
     let prices = &answer["prices"];
     assert_eq!(prices["runs"], 2);
     let without = prices["without"].as_array().expect("a list");
