@@ -6,10 +6,11 @@ use clap::Args;
 
 use super::input::Failure;
 use super::messages::{Messages, problems_json};
-use super::{Status, explanation, input, render, story};
+use super::{Status, explanation, input, progress, render, story};
 use crate::language::Refusal;
-use crate::measure;
+use crate::measure::{self, Prices};
 use crate::read::Reading;
+use crate::scene::Scene;
 
 /// Tells what of a scene is simulated and why, and what is left out.
 ///
@@ -28,6 +29,12 @@ pub(super) struct Options {
     /// Count the rays by tracing the whole picture.
     #[arg(long)]
     measure: bool,
+    /// Draw the scene without each effect that is on, and tell what that saves and changes.
+    #[arg(long, conflicts_with = "pixel")]
+    prices: bool,
+    /// How often to draw everything for the prices.
+    #[arg(long, value_name = "N", default_value = "5", requires = "prices", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    runs: u32,
     /// Print the answer as JSON on standard output.
     #[arg(long)]
     json: bool,
@@ -56,7 +63,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
             return Status::Io;
         }
     };
-    match pool.install(|| answer(options, &reading)) {
+    match pool.install(|| answer(options, &reading, messages)) {
         Ok(text) => messages.result(&text, Status::Done),
         Err(refusal) => {
             let title = input::title(&options.scene);
@@ -76,7 +83,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 }
 
 /// What is printed, if the scene can be rendered.
-fn answer(options: &Options, reading: &Reading) -> Result<String, Refusal> {
+fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, Refusal> {
     let (scene, title) = (&reading.scene, input::title(&options.scene));
     let as_json = |value: serde_json::Value| {
         let line = serde_json::json!({
@@ -99,9 +106,33 @@ fn answer(options: &Options, reading: &Reading) -> Result<String, Refusal> {
         });
     }
     let explanation = measure::explain(scene, options.measure)?;
-    Ok(if options.json {
-        as_json(serde_json::json!(explanation))
-    } else {
-        explanation::text(&explanation, &title)
-    })
+    let prices = options.prices.then(|| prices(scene, options, messages));
+    let prices = prices.transpose()?;
+    if options.json {
+        let mut answer = serde_json::json!(explanation);
+        if let Some(prices) = prices {
+            answer["prices"] = serde_json::json!(prices);
+        }
+        return Ok(as_json(answer));
+    }
+    let mut text = explanation::text(&explanation, &title);
+    if let Some(prices) = prices {
+        let runs = match prices.runs {
+            1 => "one run".to_owned(),
+            runs => format!("medians of {runs} runs, and their median absolute deviation"),
+        };
+        text += &format!("\nprices, in processor time of one thread: {runs}\n{prices}");
+    }
+    Ok(text)
+}
+
+/// What the effects of a scene cost.
+fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, Refusal> {
+    let bar = progress::bar(&input::title(&options.scene), 0, messages);
+    let prices = measure::prices(scene, options.runs, &|drawn, of| {
+        bar.set_length(of as u64);
+        bar.set_position(drawn as u64);
+    });
+    bar.finish_and_clear();
+    prices
 }

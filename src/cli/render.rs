@@ -138,10 +138,8 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 
 /// So many threads to render with; as many as there are processors if 0.
 pub(super) fn pool(threads: usize) -> Result<rayon::ThreadPool, String> {
-    /// Stack of a render thread in bytes: room for the longest path of mirrored rays.
-    const STACK: usize = 16 << 20;
     let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    let pool = builder.stack_size(STACK).build();
+    let pool = builder.stack_size(render::STACK).build();
     pool.map_err(|error| format!("cannot start {threads} threads: {error}"))
 }
 

@@ -1,12 +1,21 @@
 //! Answers about scenes and pictures.
 
+mod change;
 mod check;
+mod clock;
 mod coincident;
 mod explain;
+mod price_list;
+mod prices;
 mod transcript;
+mod without;
 
+pub use change::Change;
 pub use check::check;
+pub use clock::Timing;
 pub use explain::{
     EffectRow, Explanation, LightRow, NoShadow, SurfaceRow, TextureRow, Thing, Work, explain,
 };
+pub use prices::{Effort, Price, Prices, prices};
 pub use transcript::{PixelStory, Step, transcript};
+pub use without::{round_trip, without};

@@ -25,6 +25,9 @@ use crate::plan::{Plan, Scope};
 use crate::scene::Scene;
 use crate::surface::classic;
 
+/// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
+pub const STACK: usize = 16 << 20;
+
 /// Renders a scene on the current thread pool, and counts the work.
 ///
 /// `progress` is told how many of the picture's rows are done; it may be called from any thread.

@@ -1,0 +1,86 @@
+//! How long something takes.
+
+use cpu_time::ThreadTime;
+use serde::Serialize;
+
+/// What the same work took in several runs, in seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Timing {
+    /// The median of the runs.
+    pub median: f64,
+    /// The median of how far the runs are from that; `None` of a single run.
+    pub deviation: Option<f64>,
+}
+
+impl Timing {
+    /// What these runs took, in seconds; zero without any.
+    #[must_use]
+    pub fn of(runs: &[f64]) -> Self {
+        let median = median_of(runs.to_vec());
+        let far = runs.iter().map(|run| (run - median).abs());
+        Self {
+            median,
+            deviation: (runs.len() > 1).then(|| median_of(far.collect())),
+        }
+    }
+
+    /// How many times as long this is as another.
+    #[must_use]
+    pub fn over(self, other: Self) -> f64 {
+        self.median / other.median
+    }
+
+    /// Whether this and another are no further apart than their deviations; not known of a single
+    /// run.
+    #[must_use]
+    pub fn is_like(self, other: Self) -> bool {
+        let deviations = self.deviation.zip(other.deviation);
+        deviations
+            .is_some_and(|(this, other_one)| (self.median - other.median).abs() <= this + other_one)
+    }
+}
+
+/// Does some work and tells how many seconds a processor spent on it in this thread; what others do
+/// on the machine does not count.
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = ThreadTime::now();
+    let done = work();
+    (start.elapsed().as_secs_f64(), done)
+}
+
+fn median_of(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.get(middle) {
+        None => 0.0,
+        Some(upper) if values.len() % 2 == 1 => *upper,
+        Some(upper) => f64::midpoint(values[middle - 1], *upper),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_slow_run_counts_for_little() {
+        let timing = Timing::of(&[5.0, 1.0, 3.0, 2.0, 900.0]);
+        assert_eq!((timing.median, timing.deviation), (3.0, Some(2.0)));
+        let timing = Timing::of(&[1.0, 2.0, 4.0, 8.0]);
+        assert_eq!((timing.median, timing.deviation), (3.0, Some(1.5)));
+        assert_eq!(Timing::of(&[]).median, 0.0);
+        let single = Timing::of(&[2.0]);
+        assert_eq!((single.median, single.deviation), (2.0, None));
+        assert!(!single.is_like(single), "nobody knows");
+    }
+
+    #[test]
+    fn timings_are_alike_within_their_deviations() {
+        let of = |median, deviation| Timing {
+            median,
+            deviation: Some(deviation),
+        };
+        assert!(of(3.0, 0.5).is_like(of(4.0, 0.5)));
+        assert!(!of(3.0, 0.5).is_like(of(4.0, 0.25)));
+    }
+}

@@ -1,0 +1,185 @@
+//! What each effect of a scene costs, and what it does to the picture.
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use serde::Serialize;
+
+use super::clock::timed;
+use super::{Change, Timing, without};
+use crate::film::Film;
+use crate::language::Refusal;
+use crate::plan::{Effect, Plan, Scope};
+use crate::render::{Counts, STACK, observed};
+use crate::scene::Scene;
+use crate::surface::classic;
+
+/// What the effects of a scene cost.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Prices {
+    /// How often everything was drawn; times are medians of so many runs.
+    pub runs: u32,
+    /// The scene as it is.
+    pub whole: Effort,
+    /// The scene with nothing left out that changes nothing; its picture is the same.
+    pub everything: Effort,
+    /// The scene without each effect that it calls for.
+    pub without: Vec<Price>,
+}
+
+/// What it takes to draw a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Effort {
+    /// Processor time of one thread, in seconds; planning is a part of it, reading the scene is not.
+    pub time: Timing,
+    /// The work in numbers, which are the same in every run.
+    pub counts: Counts,
+}
+
+/// What an effect costs: what it takes to draw the scene without it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Price {
+    /// What is switched off.
+    pub effect: Effect,
+    /// What goes with it: other effects that are no longer called for.
+    pub also_off: Vec<Effect>,
+    /// What it takes to draw the scene without it.
+    pub effort: Effort,
+    /// How many times as long as the whole scene that takes.
+    pub takes: f64,
+    /// How the picture without it differs.
+    pub change: Change,
+}
+
+impl Effort {
+    /// Surfaces that are asked for each ray to a light, on average; `None` without such rays.
+    #[must_use]
+    pub fn tests_per_shadow_ray(&self) -> Option<f64> {
+        let Counts {
+            shadow_rays,
+            occlusion_tests,
+            ..
+        } = self.counts;
+        #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+        let (rays, tests) = (shadow_rays as f64, occlusion_tests as f64);
+        (shadow_rays > 0).then(|| tests / rays)
+    }
+}
+
+/// Measures what the effects of a scene cost: draws it as it is, with everything simulated, and
+/// without each effect that its plan says is on, all of them in turn, as often as `runs` says,
+/// and once at least.
+///
+/// `progress` is told how many of how many pictures are drawn.
+///
+/// # Errors
+/// Refuses what [`observed`] and [`without`] refuse.
+///
+/// # Panics
+/// If simulating everything changes the picture, which it must not.
+pub fn prices(
+    scene: &Scene,
+    runs: u32,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Prices, Refusal> {
+    let on = effects(scene)?;
+    let scenes = on.iter().map(|effect| without(scene, *effect));
+    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+    let lesser = scenes.iter().map(|scene| (scene, Scope::CalledFor));
+    let mut subjects: Vec<_> = [Scope::CalledFor, Scope::Everything]
+        .map(|scope| (scene, scope))
+        .into_iter()
+        .chain(lesser)
+        .map(|(scene, scope)| Subject::new(scene, scope))
+        .collect();
+    let runs = runs.max(1);
+    let all = runs as usize * subjects.len();
+    let pool = one_thread()?;
+    // Not measured: the first picture also fetches program and textures into the caches.
+    let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
+    let mut drawn = 0;
+    for _ in 0..runs {
+        for subject in &mut subjects {
+            pool.install(|| subject.draw(&picture))?;
+            drawn += 1;
+            progress(drawn, all);
+        }
+    }
+    let [whole, everything] = [&subjects[0], &subjects[1]].map(Subject::effort);
+    let without = on.iter().zip(&subjects[2..]).map(|(effect, subject)| {
+        let still = effects(subject.scene)?;
+        let gone = |other: &Effect| other != effect && !still.contains(other);
+        let effort = subject.effort();
+        Ok(Price {
+            effect: *effect,
+            also_off: on.iter().copied().filter(gone).collect(),
+            effort,
+            takes: effort.time.over(whole.time),
+            change: subject.change,
+        })
+    });
+    Ok(Prices {
+        runs,
+        whole,
+        everything,
+        without: without.collect::<Result<_, Refusal>>()?,
+    })
+}
+
+/// The effects that a scene calls for.
+fn effects(scene: &Scene) -> Result<Vec<Effect>, Refusal> {
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let decisions = plan.decisions().into_iter();
+    let on = decisions.filter(|decision| decision.on);
+    Ok(on.map(|decision| decision.effect).collect())
+}
+
+/// A pool of one thread, so that what it does is done in the thread whose time is taken.
+fn one_thread() -> Result<ThreadPool, Refusal> {
+    let builder = ThreadPoolBuilder::new().num_threads(1).stack_size(STACK);
+    builder.build().map_err(|error| {
+        let reason = format!("cannot start a thread: {error}");
+        Refusal::new("threads", reason, "try again")
+    })
+}
+
+/// A scene that is drawn again and again.
+struct Subject<'a> {
+    scene: &'a Scene,
+    scope: Scope,
+    seconds: Vec<f64>,
+    counts: Counts,
+    change: Change,
+}
+
+impl<'a> Subject<'a> {
+    fn new(scene: &'a Scene, scope: Scope) -> Self {
+        Self {
+            scene,
+            scope,
+            seconds: Vec::new(),
+            counts: Counts::default(),
+            change: Change::default(),
+        }
+    }
+
+    /// Draws it once more and compares it with a picture.
+    fn draw(&mut self, picture: &Film) -> Result<(), Refusal> {
+        let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
+        let (film, counts) = drawn?;
+        assert!(
+            self.scope == Scope::CalledFor || film.hash() == picture.hash(),
+            "simulating everything changes the picture"
+        );
+        self.seconds.push(seconds);
+        self.counts = counts;
+        self.change = Change::between(picture, &film);
+        Ok(())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort {
+            time: Timing::of(&self.seconds),
+            counts: self.counts,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! A scene with one of its effects switched off.
+
+use std::path::PathBuf;
+
+use crate::language::{Node, Refusal, Schema, Value};
+use crate::light::{Cone, Light, Slide};
+use crate::plan::Effect;
+use crate::read::{Options, read_bytes};
+use crate::scene::Scene;
+use crate::surface::{FinitePlane, TexturePlane};
+use crate::texture::Texture;
+
+/// A scene with one effect switched off, by what its user could have written: the scene is
+/// described, its nodes are changed, and their text is read.
+///
+/// Mirrors and glints share `specular`, so without mirrors there are no glints either; glints alone
+/// are switched off by `shininess`.
+///
+/// # Errors
+/// Refuses a scene that cannot be read again, because its textures cannot.
+pub fn without(scene: &Scene, effect: Effect) -> Result<Scene, Refusal> {
+    read_again(nodes(scene)?.into_iter().map(|node| off(node, effect)))
+}
+
+/// The scene as its own text has it.
+///
+/// # Errors
+/// As [`without`].
+pub fn round_trip(scene: &Scene) -> Result<Scene, Refusal> {
+    read_again(nodes(scene)?.into_iter())
+}
+
+/// The nodes of a scene, which name textures as the current folder does.
+fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
+    let mut nodes = scene.describe();
+    let textures = nodes
+        .iter_mut()
+        .filter(|node| node.schema == &Texture::SCHEMA);
+    for (node, texture) in textures.zip(&scene.textures) {
+        let path = texture.path.to_str().ok_or_else(|| {
+            let reason = format!("{} cannot be written in a scene", texture.path.display());
+            Refusal::new("texture", reason, "give it a name in UTF-8")
+        })?;
+        node.value = Some(path.into());
+    }
+    Ok(nodes)
+}
+
+/// A node without what calls for an effect.
+fn off(node: Node, effect: Effect) -> Node {
+    match effect {
+        Effect::Shadows => unshadowed(node),
+        Effect::Mirrors => with_number(node, "specular", 0.0),
+        Effect::Transparency => with_number(node, "transparency", 0.0),
+        Effect::Refraction => without_attribute(node, "ior"),
+        Effect::SoftShadows => with_number(node, "samples", 1.0),
+        Effect::Glints => with_number(node, "shininess", 0.0),
+        Effect::SpotCones => changed(node, &Cone::SCHEMA, &Light::SCHEMA),
+        Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),
+        Effect::Textures if node.schema == &Slide::SCHEMA => node,
+        Effect::Textures => {
+            let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
+            without_attribute(plane, "texture")
+        }
+        Effect::Antialiasing => with_one_sample(node),
+    }
+}
+
+/// Without shadows on it.
+fn unshadowed(mut node: Node) -> Node {
+    let entries = node.attributes.iter_mut();
+    for shadows in entries.filter(|entry| entry.attribute.word == "shadows") {
+        let properties = shadows.properties.iter_mut();
+        for receive in properties.filter(|entry| entry.attribute.word == "receive") {
+            receive.value = Some(false.into());
+        }
+    }
+    node
+}
+
+/// With an attribute set to a number, if it is given.
+fn with_number(mut node: Node, word: &str, number: f64) -> Node {
+    let entries = node.attributes.iter_mut();
+    for entry in entries.filter(|entry| entry.attribute.word == word) {
+        entry.value = Some(Value::Number(number));
+    }
+    node
+}
+
+/// Of one kind made another, which knows only some of its attributes.
+fn changed(mut node: Node, from: &Schema, to: &'static Schema) -> Node {
+    if node.schema == from {
+        (node.schema, node.word) = (to, to.word);
+        let known = |word| to.all_attributes().any(|attribute| attribute.word == word);
+        node.attributes.retain(|entry| known(entry.attribute.word));
+    }
+    node
+}
+
+/// Without an attribute.
+fn without_attribute(mut node: Node, word: &str) -> Node {
+    node.attributes.retain(|entry| entry.attribute.word != word);
+    node
+}
+
+fn with_one_sample(mut node: Node) -> Node {
+    let properties = node.properties.iter_mut();
+    for samples in properties.filter(|entry| entry.attribute.word == "samples") {
+        samples.value = Some(Value::Number(1.0));
+    }
+    node
+}
+
+/// The scene that these nodes make, as text; textures that nothing wears any more are left out.
+fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, Refusal> {
+    let nodes: Vec<_> = nodes.collect();
+    let worn: Vec<_> = nodes.iter().map(|node| image_of(node)).collect();
+    let is_idle = |node: &Node| {
+        node.schema == &Texture::SCHEMA && !worn.iter().any(|image| *image == node.name)
+    };
+    let text: String = nodes
+        .iter()
+        .filter(|node| !is_idle(node))
+        .map(ToString::to_string)
+        .collect();
+    let reading = read_bytes("scene", text.into(), PathBuf::new(), &Options::default());
+    match reading {
+        Ok(reading) => Ok(reading.scene),
+        Err(rejection) => {
+            let problem = rejection.problems.into_iter().next();
+            let reason = problem.map_or_else(String::new, |problem| problem.message);
+            let reason = format!("the scene cannot be read again: {reason}");
+            Err(Refusal::new("texture", reason, "leave its files in place"))
+        }
+    }
+}
+
+/// The name of the texture that a surface wears or a projector shows.
+fn image_of(node: &Node) -> Option<String> {
+    let image = node.entry("texture")?.value.as_ref()?;
+    Some(image.text().to_owned())
+}
