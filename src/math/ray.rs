@@ -36,6 +36,12 @@ impl Point {
         (self.anchor - other) + self.offset
     }
 
+    /// The vector to this point from another.
+    #[must_use]
+    pub fn way_from(&self, other: &Self) -> DVec3 {
+        (self.anchor - other.anchor) + (self.offset - other.offset)
+    }
+
     /// The sum of all lengths that it is made of.
     #[must_use]
     pub fn size(&self) -> f64 {
@@ -51,6 +57,12 @@ impl Point {
         (between + self.offset, size)
     }
 
+    /// Two vectors that lead from a scene point to this one, one after the other.
+    #[must_use]
+    pub fn parts_from(&self, other: DVec3) -> [DVec3; 2] {
+        [self.anchor - other, self.offset]
+    }
+
     /// The vector from a scene point to this one, exactly.
     #[must_use]
     pub fn exactly_from(&self, other: DVec3) -> ExactVector {
@@ -62,6 +74,12 @@ impl Point {
     #[must_use]
     pub fn world(&self) -> DVec3 {
         self.anchor + self.offset
+    }
+}
+
+impl From<DVec3> for Point {
+    fn from(anchor: DVec3) -> Self {
+        Self::exact(anchor)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Answers about scenes and pictures.
 
 mod check;
+mod coincident;
 mod explain;
 mod transcript;
 

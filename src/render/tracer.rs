@@ -31,6 +31,8 @@ struct Path<'a> {
     media: Media<'a>,
     /// What rounding may have done to it.
     errors: Errors,
+    /// What tells it from other rays from the eye.
+    seed: u64,
 }
 
 /// What is left for the rays that one ray from the eye causes.
@@ -87,6 +89,7 @@ impl<'a> Tracer<'a> {
             weight: 1.0,
             media: Media::Air,
             errors: Errors::default(),
+            seed: x.to_bits() ^ y.to_bits().rotate_left(32),
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
@@ -127,7 +130,11 @@ impl<'a> Tracer<'a> {
         let surface = entry.surface;
         let departure = entry.departure(ray, &hit);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, entry, &departure, &hit, probe);
+        let mut local = self.local_color(ray, entry, &departure, &hit, probe);
+        if !self.plan.lamp_views.is_empty() {
+            let light = self.lamplight(ray, entry, &departure, &hit, path.seed, probe);
+            local = (local + light).saturated();
+        }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
@@ -141,6 +148,7 @@ impl<'a> Tracer<'a> {
                 weight: path.weight * share.largest(),
                 media,
                 errors: errors.behind(surface),
+                seed: path.seed.wrapping_add(1),
             };
             let uncalled = path.weight == 0.0 && everything;
             let worth = self.is_worth_following(&path, divisor, budget);

@@ -220,14 +220,16 @@ fn above_zero(t: f64) -> f64 {
     t.max(f64::from_bits(1))
 }
 
-/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; `way` leads
-/// there from the centre, and `exact` is its scalar product with the line's direction.
+/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; the sum of
+/// `parts` leads there from the centre, and `exact` is its scalar product with the line's direction.
 #[inline]
-pub(super) fn is_beyond(way: DVec3, dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
-    // One rounding in `way` and, in the space of an ellipsoid, two in both; a product and two sums.
-    const ROUNDINGS: f64 = 8.0 * UNIT;
-    let along = way.dot(dir);
-    if along.abs() > ROUNDINGS * way.abs().dot(dir.abs()) + UNDERFLOW {
+pub(super) fn is_beyond(parts: [DVec3; 2], dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
+    // Two roundings in the way and, in the space of an ellipsoid, two in both; a product and two
+    // sums.
+    const ROUNDINGS: f64 = 9.0 * UNIT;
+    let [near, far] = parts;
+    let along = (near + far).dot(dir);
+    if along.abs() > ROUNDINGS * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
         return along > 0.0;
     }
     let along = exact();

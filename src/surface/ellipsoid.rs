@@ -240,14 +240,14 @@ impl Surface for Ellipsoid {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
-        let (way, dir) = (segment.end - self.center, segment.ray.dir);
+        let (parts, dir) = (segment.end.parts_from(self.center), segment.ray.dir);
         let exact = || {
             let stretch = ExactVector::from(self.axes).products_of_others();
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             let dir = ExactVector::from(dir).scaled(&stretch);
             way.scaled(&stretch).dot(&dir)
         };
-        let beyond = || is_beyond(self.in_ball(way), self.in_ball(dir), exact);
+        let beyond = || is_beyond(parts.map(|part| self.in_ball(part)), self.in_ball(dir), exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

@@ -18,8 +18,9 @@ use super::chord::{Chord, Quadratic, is_beyond};
 use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::exact::{Distance, Exact, ExactVector};
-use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
+use crate::math::band::UNDERFLOW;
+use crate::math::exact::{Distance, Exact, ExactVector, Sign};
+use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
 use crate::texture::{Texture, TextureMap};
 
 /// A sphere, lit from outside, and seen from outside unless its material has an index of refraction.
@@ -120,6 +121,25 @@ impl Round for Sphere {
     }
 }
 
+impl Sphere {
+    /// Its centre.
+    #[must_use]
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Its radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Adds the sphere's place and size to a node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("center", self.center).with("radius", self.radius)
+    }
+}
+
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let (t, error) = self
@@ -154,9 +174,7 @@ impl Surface for Sphere {
     }
 
     fn describe(&self) -> Node {
-        let node = Node::new(&Self::SCHEMA, None)
-            .with("center", self.center)
-            .with("radius", self.radius);
+        let node = self.describe_into(Node::new(&Self::SCHEMA, None));
         globe::describe(node, self.image.as_ref())
     }
 
@@ -180,6 +198,13 @@ impl Surface for Sphere {
     }
 
     fn side(&self, point: &Point) -> Side {
+        // Two roundings in each component of the way, a product and two sums, and a difference.
+        const ROUNDINGS: f64 = 16.0 * UNIT;
+        let (way, size) = point.seen_from(self.center);
+        let height = way.length_squared() - self.radius * self.radius;
+        if height.abs() > ROUNDINGS * (size * size + self.radius * self.radius) + UNDERFLOW {
+            return Side::of(Sign::of(height));
+        }
         let way = point.exactly_from(self.center);
         Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
     }
@@ -199,10 +224,10 @@ impl Surface for Sphere {
         // place together with the whole sphere.
         let dir = segment.ray.dir;
         let exact = || {
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             way.dot(&dir.into())
         };
-        let beyond = || is_beyond(segment.end - self.center, dir, exact);
+        let beyond = || is_beyond(segment.end.parts_from(self.center), dir, exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 
