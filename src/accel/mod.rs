@@ -1,11 +1,13 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod accelerator;
+mod lamps;
 mod overlaps;
 mod reach;
 mod receivers;
 mod shade;
 mod shadows;
+mod shields;
 mod sight;
 mod slabs;
 mod split;
@@ -13,6 +15,7 @@ mod supports;
 mod tree;
 
 pub use accelerator::Accelerator;
+pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
 pub use shadows::LightView;
 pub use sight::Sight;
@@ -22,7 +25,7 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::math::{Decisions, Flat, Ray, Span, Support};
+use crate::math::{Curve, Decisions, Departure, Flat, Ray, Span, Support};
 use crate::surface::{Hit, Surface};
 use tree::Tree;
 
@@ -43,6 +46,8 @@ pub struct Entry<'a> {
     pub support: Option<Support>,
     /// Its plane, if it is flat.
     pub flat: Option<&'a Flat>,
+    /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
+    pub is_entered: bool,
     /// Its place in the list.
     pub index: usize,
 }
@@ -121,6 +126,10 @@ fn entries<'a>(
             surface,
             support,
             flat: surface.flat(),
+            is_entered: surface.round().is_some()
+                && surface.common().material.is_entered()
+                // A sheet has the number of the first surface on it.
+                && support.is_some_and(|Support(first)| first as usize == index),
             index,
         })
         .collect()
@@ -163,7 +172,7 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
 
     #[inline(always)]
     fn ask(&mut self, entry: &'e Entry<'a>, tests: &mut u64) {
-        if entry.lies_on(self.left) {
+        if entry.lies_on(self.left) && !entry.is_entered {
             return;
         }
         *tests += 1;
@@ -190,6 +199,21 @@ impl<'a> Entry<'a> {
     #[must_use]
     pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {
         (self.support, self.flat)
+    }
+
+    /// What rays that leave the surface where another met it know of it.
+    #[must_use]
+    #[inline(always)]
+    pub fn departure<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> Departure<'b>
+    where
+        'a: 'b,
+    {
+        let mut departure = Departure::new(self.sheet(), arriving, hit.point, hit.error);
+        if self.is_entered {
+            let normal = hit.normal;
+            departure.curve = self.surface.round().map(|round| Curve { round, normal });
+        }
+        departure
     }
 
     /// Whether the surface lies on a sheet, if it is known to lie on one.

@@ -181,7 +181,8 @@ fn list(out: &mut String, lead: &str, mut things: Vec<String>, indent: usize) ->
     let last = things.len() - 1;
     for (index, thing) in things.iter().enumerate() {
         let comma = if index == last { "" } else { ", " };
-        if line.chars().count() + thing.chars().count() > WIDTH && index > 0 {
+        let width = line.chars().count() + thing.chars().count() + comma.trim_end().len();
+        if width > WIDTH && index > 0 {
             writeln!(out, "{}", line.trim_end())?;
             line = format!("{:1$}", "", indent + 2);
         }

@@ -107,6 +107,12 @@ impl Flat {
         })
     }
 
+    /// How far at most its point lies from the plane that decides, and what underflow can add.
+    #[must_use]
+    pub(crate) fn slack(&self) -> f64 {
+        self.slack
+    }
+
     /// The normal by which heights are decided.
     #[must_use]
     pub fn decisive_normal(&self) -> DVec3 {
@@ -183,12 +189,6 @@ impl Flat {
         let height = ray.origin.exactly_from(self.base).dot(&normal);
         let place = &ray.origin.exactly_from(from).times(&slope) - &dir.times(&height);
         (place, slope)
-    }
-
-    /// How far at most the plane that decides lies from the surface's own point.
-    #[must_use]
-    pub(crate) fn slack(&self) -> f64 {
-        self.slack
     }
 
     /// The sign of the height of a point above the plane, exactly.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::accel::{LampView, SurfaceList};
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem, Value};
 use crate::math::{Flat, Point, Side, unit};
@@ -32,6 +33,7 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
         .filter_map(|(node, at)| tilted_xdir(&node, at))
         .collect();
     warnings.extend(useless_lights(scene));
+    warnings.extend(useless_lamps(scene));
     if let Ok(camera) = scene.view.camera(scene.picture.width, scene.picture.height) {
         warnings.extend(surfaces().filter_map(|surface| around_camera(surface, &camera)));
         let hidden = surfaces().filter(|surface| !in_front(*surface, &camera, &scene.view));
@@ -97,6 +99,25 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
                     turn a normal around or move the light";
         Some(Problem::warning(light.place?, message, "lights nothing").help(help))
     })
+}
+
+/// Lamps that shine on no surface's front.
+fn useless_lamps(scene: &Scene) -> Vec<Problem> {
+    let surfaces = SurfaceList::new(&scene.surfaces);
+    let lit = || {
+        let entries = surfaces.entries().iter();
+        entries.filter(|entry| entry.surface.lamp().is_none())
+    };
+    let views = LampView::all(&surfaces, &scene.surfaces, true);
+    let useless = views
+        .iter()
+        .filter(|view| lit().next().is_some() && !lit().any(|entry| view.lights(entry)));
+    let problems = useless.filter_map(|view| {
+        let what = "shines on the front of no surface";
+        let problem = warning(view.lamp, what, "lights nothing, but is seen")?;
+        Some(problem.help("turn its normal or that of a surface around, or move it"))
+    });
+    problems.collect()
 }
 
 fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {

@@ -12,7 +12,7 @@ pub use scope::Scope;
 pub use tail::Tail;
 pub use unlit::Unlit;
 
-use crate::accel::{Accelerator, LightView, Sight, SurfaceList};
+use crate::accel::{Accelerator, LampView, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::scene::{Picture, Scene};
@@ -36,6 +36,8 @@ pub struct Plan<'a> {
     pub seen: Vec<bool>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
+    /// What each lamp has before it, in the order of the scene's surfaces.
+    pub lamp_views: Vec<LampView<'a>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// Whether anything is left out.
@@ -100,6 +102,7 @@ impl<'a> Plan<'a> {
         let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
+            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             camera,
             sight: sight.filter(|_| all_asked),
             light_views,

@@ -1,6 +1,8 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
 mod errors;
+mod lamps;
+mod media;
 mod probe;
 mod samples;
 mod shading;

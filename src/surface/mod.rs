@@ -5,6 +5,7 @@ mod chord;
 pub mod classic;
 mod common;
 mod globe;
+mod inside;
 mod weld;
 
 use std::fmt;
@@ -41,6 +42,7 @@ surfaces! {
     sphere: Sphere,
     ellipsoid: Ellipsoid,
     triangle: Triangle,
+    lamp: Lamp,
 }
 
 /// Something a ray can hit, with the colours it shows there.
@@ -91,6 +93,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The side that a point is on; behind a closed surface is inside.
     fn side(&self, point: &Point) -> Side {
         self.flat().map_or(Side::Front, |flat| flat.side(point))
+    }
+
+    /// The lamp that the surface is, if it shines.
+    fn lamp(&self) -> Option<&Lamp> {
+        None
     }
 
     /// The surface in plain numbers, from which [`classic`] makes it anew; a surface without one

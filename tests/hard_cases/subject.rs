@@ -1,9 +1,9 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
-use heliodon::accel::{Accelerator, SurfaceList};
+use heliodon::accel::{Accelerator, Entry, SurfaceList};
 use heliodon::film::{Film, Rounding};
 use heliodon::language::{Node, render_problems};
-use heliodon::math::{Departure, Flat, Numerics, Point, Ray, Span, Support, unit};
+use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, Rejection, read_bytes};
@@ -75,8 +75,7 @@ pub(crate) struct Refused {
 /// Where a ray first meets a surface.
 #[derive(Debug)]
 pub(crate) struct Met {
-    surface: &'static dyn Surface,
-    sheet: (Option<Support>, Option<&'static Flat>),
+    entry: Entry<'static>,
     hit: Hit,
 }
 
@@ -198,11 +197,7 @@ impl Stage {
             assert_eq!(of_tree, of_list, "the tree and the list differ");
         }
         let (entry, hit) = found?;
-        Some(Met {
-            surface: entry.surface,
-            sheet: entry.sheet(),
-            hit,
-        })
+        Some(Met { entry: *entry, hit })
     }
 
     /// The names of all surfaces that a ray meets, each asked by itself.
@@ -222,7 +217,7 @@ fn name(surface: &dyn Surface) -> &str {
 impl Met {
     /// The surface's name.
     pub(crate) fn name(&self) -> &str {
-        name(self.surface)
+        name(self.entry.surface)
     }
 
     /// The distance.
@@ -237,7 +232,7 @@ impl Met {
 
     /// The ambient colour.
     pub(crate) fn color(&self) -> [f64; 3] {
-        self.surface.getamb(&self.hit).channels()
+        self.entry.surface.getamb(&self.hit).channels()
     }
 
     /// Column and row of the texel, in the textures of the suite.
@@ -250,7 +245,7 @@ impl Met {
     pub(crate) fn mirrored(&self, ray: &Ray<'static>) -> Ray<'static> {
         let direction = ray.mirrored(self.hit.normal);
         let arriving: &'static Ray<'static> = Box::leak(Box::new(*ray));
-        let departure = Departure::new(self.sheet, arriving, self.hit.point, self.hit.error);
+        let departure = self.entry.departure(arriving, &self.hit);
         Ray::leaving(Box::leak(Box::new(departure)), direction)
     }
 }

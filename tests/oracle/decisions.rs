@@ -204,11 +204,11 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
         format!("{segment:?} and {surface:?}")
     });
     let surfaces = [surface];
-    // Only where the start lies on a surface of its own would the rest of this matter.
+    // Of the hit nothing counts where all casters are asked.
     let hit = Hit {
         t: 1.0,
         error: 0.0,
-        point: departure.point,
+        point: ray.origin,
         normal: DVec3::Z,
         uv: DVec2::ZERO,
         texel: Rgb::WHITE,
@@ -246,7 +246,7 @@ pub(crate) fn welded(random: &mut Random, tallies: &mut Tallies) {
 /// Whether the surface hides the ends of a segment from each other; `None` where the start is too
 /// close to tell.
 fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {
-    let (start, end) = (segment.ray.origin, Point::exact(segment.end));
+    let (start, end) = (segment.ray.origin, segment.end);
     let Some(flat) = surface.flat() else {
         return hides_behind_round(surface, segment, rounding);
     };
@@ -279,10 +279,10 @@ fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -
     if near != Ordering::Greater {
         return None;
     }
-    let end = Vector::of(segment.end)
+    let end = Vector::to(&segment.end)
         .minus(&Vector::of(center))
         .over(axes);
-    let inside = truth::side_of_round(center, axes, &Point::exact(segment.end)) < 0;
+    let inside = truth::side_of_round(center, axes, &segment.end) < 0;
     let beyond = sign(&end.dot(&Vector::of(segment.ray.dir).over(axes))) > 0;
     Some(inside || beyond)
 }

@@ -1,0 +1,142 @@
+//! What `explain` says of every scene of the gallery, of some pixels, and in JSON.
+//!
+//! `tests/explain/NAME.txt` is what it says of `scenes/NAME.kdl`. To accept new texts, run with
+//! `HELIODON_UPDATE=1`, and read what has changed.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+fn scenes() -> Vec<String> {
+    let entries = fs::read_dir("scenes").expect("the scenes");
+    let paths = entries.map(|entry| entry.expect("a scene").path());
+    let mut names: Vec<_> = paths
+        .filter(|path| path.extension().is_some_and(|ending| ending == "kdl"))
+        .map(|path| path.display().to_string())
+        .collect();
+    names.sort();
+    assert!(names.len() >= 17);
+    names
+}
+
+/// What the program says, and the code that it ends with.
+fn said(arguments: &[&str]) -> (String, String, i32) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
+    let output = command.args(arguments).output().expect("the program runs");
+    let text = |bytes| String::from_utf8(bytes).expect("text");
+    (
+        text(output.stdout),
+        text(output.stderr),
+        output.status.code().expect("an exit code"),
+    )
+}
+
+/// Compares with a committed text.
+fn expect(file: &Path, text: &str) -> Option<String> {
+    let known = fs::read_to_string(file).unwrap_or_default();
+    if known == text {
+        return None;
+    }
+    if std::env::var_os("HELIODON_UPDATE").is_some() {
+        fs::write(file, text).expect("the text is written");
+    }
+    Some(format!("{} has changed:\n{text}", file.display()))
+}
+
+#[test]
+fn every_scene_of_the_gallery_is_explained() {
+    let changed = scenes().into_iter().filter_map(|scene| {
+        let (text, _, code) = said(&["explain", &scene]);
+        assert_eq!(code, 0, "{scene}");
+        let wide = text.lines().find(|line| line.chars().count() > 100);
+        assert_eq!(wide, None, "{scene}");
+        let stem = Path::new(&scene).file_stem().expect("a name");
+        let file = Path::new("tests/explain").join(stem).with_extension("txt");
+        expect(&file, &text)
+    });
+    let changed: Vec<_> = changed.collect();
+    assert!(changed.is_empty(), "{}", changed.join("\n"));
+}
+
+#[test]
+fn pixels_tell_their_stories() {
+    let changed = [
+        ("room", "room-floor", "400,500"),
+        ("room", "room-shadow", "640,480"),
+        ("coloured-glass", "coloured-glass-window", "300,300"),
+        ("two-cameras-look-at", "two-cameras-ball", "420,300"),
+        ("spotlights", "spotlights-middle", "400,300"),
+    ];
+    let changed = changed.into_iter().filter_map(|(scene, name, pixel)| {
+        let scene = format!("scenes/{scene}.kdl");
+        let (text, _, code) = said(&["explain", &scene, "--pixel", pixel]);
+        assert_eq!(code, 0, "{scene}");
+        let file = Path::new("tests/explain/pixels").join(name);
+        expect(&file.with_extension("txt"), &text)
+    });
+    let changed: Vec<_> = changed.collect();
+    assert!(changed.is_empty(), "{}", changed.join("\n"));
+}
+
+#[test]
+fn json_keeps_to_its_schema() {
+    let schema = fs::read_to_string("docs/explain.schema.json").expect("the schema");
+    let schema: Value = serde_json::from_str(&schema).expect("JSON");
+    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    for scene in scenes() {
+        for more in [&["--json"][..], &["--json", "--pixel", "400,300"]] {
+            let arguments: Vec<_> = ["explain", &scene].iter().chain(more).copied().collect();
+            let (text, _, code) = said(&arguments);
+            assert_eq!(code, 0, "{arguments:?}");
+            let value: Value = serde_json::from_str(&text).expect("JSON");
+            let errors: Vec<_> = validator.iter_errors(&value).collect();
+            assert!(errors.is_empty(), "{arguments:?}: {errors:?}");
+        }
+    }
+    let mut wrong = serde_json::json!({ "scene": "room", "exit": 0 });
+    assert!(!validator.is_valid(&wrong));
+    wrong["effects"] = Value::Null;
+    assert!(!validator.is_valid(&wrong));
+}
+
+/// The answer in JSON.
+fn answer(arguments: &[&str]) -> Value {
+    let (text, said, code) = said(arguments);
+    assert_eq!(code, 0, "{said}");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+#[test]
+fn measured_work_is_what_rendering_takes_and_an_estimate_is_near() {
+    let explained = |more: &[&str]| {
+        let arguments: Vec<_> = ["explain", "scenes/room.kdl", "--json"]
+            .iter()
+            .chain(more)
+            .copied()
+            .collect();
+        answer(&arguments)["work"]["counts"].clone()
+    };
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let out = format!("{folder}/explained.png");
+    let rendered = answer(&["render", "scenes/room.kdl", "--json", "-o", &out])["rays"].clone();
+    assert_eq!(explained(&["--measure"]), rendered);
+    let estimated = explained(&[]);
+    for kind in ["camera_rays", "mirror_rays", "shadow_rays", "hit_tests"] {
+        let [estimate, exact] = [&estimated, &rendered].map(|counts| counts[kind].as_f64());
+        let ratio = estimate.expect("a number") / exact.expect("a number");
+        assert!((0.9..1.1).contains(&ratio), "{kind}: {ratio}");
+    }
+}
+
+#[test]
+fn a_pixel_outside_of_the_picture_is_refused() {
+    let (_, error, code) = said(&["explain", "scenes/room.kdl", "--pixel", "800,0"]);
+    assert_eq!(code, 2);
+    assert_eq!(
+        error,
+        "error: scenes/room.kdl: there is no pixel 800,0 in a picture of 800 by 600; \
+         columns and rows are counted from the top left, from 0\n"
+    );
+}
