@@ -138,6 +138,13 @@ impl<'a> LampView<'a> {
         self.list_of[entry.index].is_some()
     }
 
+    /// Whether anything can stand between the lamp and any surface.
+    #[must_use]
+    pub fn can_be_hidden(&self) -> bool {
+        let mut lists = self.list_of.iter().flatten();
+        lists.any(|list| !self.lists[*list].is_empty())
+    }
+
     /// What may stand between the lamp and a hit of a surface, from which `ray` starts.
     ///
     /// `is_open` says that nothing but surfaces ends a ray to the lamp.

@@ -12,6 +12,8 @@ use crate::surface::Surface;
 pub enum Effect {
     /// Surfaces that stand before lights.
     Shadows,
+    /// Surfaces that stand before lamps.
+    SoftShadows,
     /// Surfaces that show what is before them.
     Mirrors,
     /// Surfaces that let light straight through.
@@ -30,8 +32,9 @@ pub enum Effect {
 
 impl Effect {
     /// All of them, in the order in which they are explained.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Shadows,
+        Self::SoftShadows,
         Self::Mirrors,
         Self::Transparency,
         Self::Glints,
@@ -46,6 +49,7 @@ impl Effect {
     pub fn title(self) -> &'static str {
         match self {
             Self::Shadows => "shadows",
+            Self::SoftShadows => "soft shadows",
             Self::Mirrors => "mirrors",
             Self::Transparency => "transparency",
             Self::Glints => "glints",
