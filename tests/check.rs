@@ -45,6 +45,23 @@ fn is_fine(text: &str) {
 }
 
 #[test]
+fn a_lamp_that_shines_on_no_front() {
+    let lamp = |point: &str, normal: &str| {
+        format!(
+            "lamp \"l\" {{ point {point}; normal {normal}; xdir 1 0 0; dimensions 1 1; emissivity 1 }}"
+        )
+    };
+    let useless = "the lamp \"l\" shines on the front of no surface";
+    is_fine(&lamp("0 2 0", "0 -1 0"));
+    is_fine(&lamp("0 2 0", "0 -1 0.1"));
+    warns(&lamp("0 2 0", "0 1 0"), useless);
+    warns(&lamp("0 -1 0", "0 1 0"), useless);
+    is_fine("lamp \"l\" { center 0 -0.5 0; radius 1; emissivity 1 }");
+    let under = warnings("lamp \"l\" { center 0 -2 0; radius 1; emissivity 1 }");
+    assert_eq!(under, [useless]);
+}
+
+#[test]
 fn an_xdir_out_of_its_plane_by_more_than_a_tenth_of_a_degree() {
     warns(
         &finite("door", "0 1 0", "0 0 1", "1 0 0.1"),

@@ -21,6 +21,8 @@ mod numbers;
 mod oracle;
 #[path = "hard_cases/pictures.rs"]
 mod pictures;
+#[path = "hard_cases/pile.rs"]
+mod pile;
 #[path = "hard_cases/rays.rs"]
 mod rays;
 #[path = "hard_cases/scenes.rs"]

@@ -1,24 +1,40 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
+mod accelerator;
+mod lamps;
+mod overlaps;
+mod reach;
 mod receivers;
 mod shade;
 mod shadows;
+mod shields;
 mod sight;
+mod slabs;
+mod split;
 mod supports;
+mod tree;
 
+pub use accelerator::Accelerator;
+pub use lamps::{Between, Casters, LampView};
+pub use overlaps::Overlaps;
 pub use shadows::LightView;
 pub use sight::Sight;
 pub use supports::supports;
 
 use std::cmp::Ordering;
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
-use crate::math::{Decisions, Flat, Ray, Span, Support};
+use crate::math::{Curve, Decisions, Departure, Flat, Ray, Span, Support};
 use crate::surface::{Hit, Surface};
+use tree::Tree;
 
-/// The surfaces of a scene in file order: every one is asked.
+/// The surfaces of a scene in file order, and what finds those that a ray may meet.
 #[derive(Debug)]
 pub struct SurfaceList<'a> {
     entries: Vec<Entry<'a>>,
+    /// `None` if every surface is asked.
+    tree: Option<Arc<Tree>>,
 }
 
 /// A surface of a list.
@@ -30,6 +46,8 @@ pub struct Entry<'a> {
     pub support: Option<Support>,
     /// Its plane, if it is flat.
     pub flat: Option<&'a Flat>,
+    /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
+    pub is_entered: bool,
     /// Its place in the list.
     pub index: usize,
 }
@@ -38,32 +56,38 @@ impl<'a> SurfaceList<'a> {
     /// A list of these surfaces, which rays do not meet again where they leave them.
     #[must_use]
     pub fn new(surfaces: &'a [Box<dyn Surface>]) -> Self {
-        let supports = supports(surfaces).into_iter().map(Some);
-        Self::of(surfaces, supports)
+        Self::with(surfaces, Accelerator::for_count(surfaces.len()))
+    }
+
+    /// The same list, found in this way; what is found does not depend on it.
+    #[must_use]
+    pub fn with(surfaces: &'a [Box<dyn Surface>], accelerator: Accelerator) -> Self {
+        let entries = entries(surfaces, supports(surfaces).into_iter().map(Some));
+        let tree = match accelerator {
+            Accelerator::List => None,
+            Accelerator::Tree => Some(Arc::new(Tree::new(&entries))),
+        };
+        Self { entries, tree }
     }
 
     /// A list of surfaces that rays may meet again where they leave them; they have to see to it
     /// themselves.
+    ///
+    /// Every one is asked: nothing proves where numerics other than their own meet them.
     #[must_use]
     pub fn without_sheets(surfaces: &'a [Box<dyn Surface + 'a>]) -> Self {
-        Self::of(surfaces, std::iter::repeat(None))
+        Self {
+            entries: entries(surfaces, std::iter::repeat(None)),
+            tree: None,
+        }
     }
 
-    fn of(
-        surfaces: &'a [Box<dyn Surface + 'a>],
-        supports: impl Iterator<Item = Option<Support>>,
-    ) -> Self {
-        let surfaces = surfaces.iter().map(AsRef::as_ref).enumerate();
-        let entries = surfaces.zip(supports);
-        Self {
-            entries: entries
-                .map(|((index, surface), support)| Entry {
-                    surface,
-                    support,
-                    flat: surface.flat(),
-                    index,
-                })
-                .collect(),
+    /// How the surfaces are found.
+    #[must_use]
+    pub fn accelerator(&self) -> Accelerator {
+        match self.tree {
+            None => Accelerator::List,
+            Some(_) => Accelerator::Tree,
         }
     }
 
@@ -79,35 +103,95 @@ impl<'a> SurfaceList<'a> {
     /// that are asked.
     #[must_use]
     pub fn nearest(&self, ray: &Ray, span: Span, tests: &mut u64) -> Option<(&Entry<'a>, Hit)> {
-        nearest(self.entries.iter(), ray, span, tests)
+        let Some(tree) = &self.tree else {
+            return nearest(self.entries.iter(), ray, span, tests);
+        };
+        let mut search = Search::new(ray, span);
+        tree.walk(ray, span.max(), |index, _| {
+            search.ask(&self.entries[index], tests);
+            ControlFlow::Continue(search.span.max())
+        });
+        search.found()
     }
 }
 
-/// The one of some surfaces, in file order, that a ray meets first.
+fn entries<'a>(
+    surfaces: &'a [Box<dyn Surface + 'a>],
+    supports: impl Iterator<Item = Option<Support>>,
+) -> Vec<Entry<'a>> {
+    let surfaces = surfaces.iter().map(AsRef::as_ref).enumerate();
+    let entries = surfaces.zip(supports);
+    entries
+        .map(|((index, surface), support)| Entry {
+            surface,
+            support,
+            flat: surface.flat(),
+            is_entered: surface.round().is_some()
+                && surface.common().material.is_entered()
+                // A sheet has the number of the first surface on it.
+                && support.is_some_and(|Support(first)| first as usize == index),
+            index,
+        })
+        .collect()
+}
+
+/// The one of some surfaces that a ray meets first.
 #[inline]
 fn nearest<'e, 'a>(
     entries: impl Iterator<Item = &'e Entry<'a>>,
     ray: &Ray,
-    mut span: Span,
+    span: Span,
     tests: &mut u64,
 ) -> Option<(&'e Entry<'a>, Hit)> {
-    let mut best: Option<(&Entry<'a>, Hit)> = None;
-    let left = ray.leaves();
+    let mut search = Search::new(ray, span);
     for entry in entries {
-        if entry.lies_on(left) {
-            continue;
+        search.ask(entry, tests);
+    }
+    search.found()
+}
+
+/// The search for the surface that a ray meets first; what it finds does not depend on the order in
+/// which surfaces are asked.
+struct Search<'e, 'a, 'r> {
+    ray: &'r Ray<'r>,
+    left: Option<Support>,
+    /// The distances that still count.
+    span: Span,
+    best: Option<(&'e Entry<'a>, Hit)>,
+}
+
+impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
+    fn new(ray: &'r Ray<'r>, span: Span) -> Self {
+        Self {
+            ray,
+            left: ray.leaves(),
+            span,
+            best: None,
+        }
+    }
+
+    #[inline(always)]
+    fn ask(&mut self, entry: &'e Entry<'a>, tests: &mut u64) {
+        if entry.lies_on(self.left) && !entry.is_entered {
+            return;
         }
         *tests += 1;
-        let Some(hit) = entry.surface.hits(ray, span) else {
-            continue;
+        let Some(hit) = entry.surface.hits(self.ray, self.span) else {
+            return;
         };
-        if best.is_some_and(|(first, first_hit)| !entry.is_before(&hit, first, &first_hit, ray)) {
-            continue;
+        let best = self.best.as_ref();
+        if best.is_some_and(|(best, best_hit)| !entry.is_before(&hit, best, best_hit, self.ray)) {
+            return;
         }
-        span = span.until(hit.t + hit.error);
-        best = Some((entry, hit));
+        self.span = self.span.until(hit.t + hit.error);
+        self.best = Some((entry, hit));
     }
-    best.map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
+
+    fn found(self) -> Option<(&'e Entry<'a>, Hit)> {
+        let ray = self.ray;
+        self.best
+            .map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
+    }
 }
 
 impl<'a> Entry<'a> {
@@ -117,29 +201,51 @@ impl<'a> Entry<'a> {
         (self.support, self.flat)
     }
 
+    /// What rays that leave the surface where another met it know of it.
+    #[must_use]
+    #[inline(always)]
+    pub fn departure<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> Departure<'b>
+    where
+        'a: 'b,
+    {
+        let mut departure = Departure::new(self.sheet(), arriving, hit.point, hit.error);
+        if self.is_entered {
+            let normal = hit.normal;
+            departure.curve = self.surface.round().map(|round| Curve { round, normal });
+        }
+        departure
+    }
+
     /// Whether the surface lies on a sheet, if it is known to lie on one.
     fn lies_on(&self, sheet: Option<Support>) -> bool {
         sheet.is_some() && self.support == sheet
     }
 
-    /// Whether a hit of this surface is nearer than that of one before it in the file.
-    fn is_before(&self, hit: &Hit, first: &Entry<'_>, first_hit: &Hit, ray: &Ray) -> bool {
-        if self.support.is_some() && self.support == first.support {
-            return false;
+    /// Whether a hit of this surface comes before that of another: if it is nearer, or as near and
+    /// before it in the file.
+    ///
+    /// A computed distance is off by its error at most, or it is next to zero for one that is exactly
+    /// below; so distances that are further apart than both errors have the order of the exact
+    /// ones, and this is that order.
+    fn is_before(&self, hit: &Hit, other: &Entry<'_>, other_hit: &Hit, ray: &Ray) -> bool {
+        let first_in_file = self.index < other.index;
+        if self.support.is_some() && self.support == other.support {
+            return first_in_file;
         }
-        let error = hit.error + first_hit.error;
-        let nearer = first_hit.t - hit.t;
+        let error = hit.error + other_hit.error;
+        let nearer = other_hit.t - hit.t;
         if nearer.abs() > error {
             return nearer > 0.0;
         }
         let distance = self.surface.exact_distance(ray);
-        match distance.zip(first.surface.exact_distance(ray)) {
-            Some((distance, first_distance)) => {
-                let order = distance.compare(&first_distance);
+        let order = match distance.zip(other.surface.exact_distance(ray)) {
+            Some((distance, other_distance)) => {
+                let order = distance.compare(&other_distance);
                 Decisions::note(order == Ordering::Equal);
-                order == Ordering::Less
+                order
             }
-            None => nearer > 0.0,
-        }
+            None => hit.t.total_cmp(&other_hit.t),
+        };
+        order == Ordering::Less || order == Ordering::Equal && first_in_file
     }
 }

@@ -6,7 +6,7 @@ use super::Entry;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
 use crate::math::{Bounds, Flat, Point, Side, Support};
-use crate::surface::Shape;
+use crate::surface::{Shape, Surface};
 
 /// A surface as the side of others that light comes from, and that shadows fall on.
 #[derive(Debug)]
@@ -32,13 +32,16 @@ pub(super) struct Sheet {
 
 impl Body {
     pub(super) fn of(entry: &Entry<'_>) -> Self {
-        let surface = entry.surface;
+        Self::of_surface(entry.surface, entry.support)
+    }
+
+    pub(super) fn of_surface(surface: &dyn Surface, support: Option<Support>) -> Self {
         let with_rounded = |point: ExactVector| {
             let rounded = point.rounded();
             (point, rounded)
         };
         Self {
-            support: entry.support,
+            support,
             flat: surface.flat().copied(),
             outline: surface.outline(),
             hull: surface
@@ -94,7 +97,45 @@ impl Body {
         // A plane hides nothing from a light in it.
         side.opposite()
             .is_some_and(|behind| from.reaches(flat, behind))
-            && !self.shadow_passes_by(light, from)
+            && !self.shadow_passes_by(&[light], from)
+    }
+
+    /// Whether it can hide some part of a lamp from some part of another surface.
+    pub(super) fn can_hide_lamp(&self, lamp: &Self, from: &Self) -> bool {
+        if self.support.is_some() && [from.support, lamp.support].contains(&self.support) {
+            return false;
+        }
+        let Some(flat) = &self.flat else {
+            // What a round thing hides is found out where it is asked.
+            return true;
+        };
+        let apart = |(lit, dark)| lamp.reaches(flat, lit) && from.reaches(flat, dark);
+        let sides = [(Side::Front, Side::Back), (Side::Back, Side::Front)];
+        sides.into_iter().any(apart) && !self.shadow_passes_by(&lamp.corners(), from)
+    }
+
+    /// The side of its plane on which all of a lamp is, but for what lies in the plane; `None` if
+    /// the lamp is on both, or if this is no plane.
+    pub(super) fn side_of(&self, lamp: &Self) -> Option<Side> {
+        let flat = self.flat.as_ref()?;
+        match [Side::Front, Side::Back].map(|side| lamp.reaches(flat, side)) {
+            [true, true] => None,
+            [true, false] => Some(Side::Front),
+            [false, true] => Some(Side::Back),
+            [false, false] => Some(Side::On),
+        }
+    }
+
+    /// Whether some of it lies strictly before another surface's plane, or the other is not flat.
+    pub(super) fn is_before(&self, other: &Self) -> bool {
+        let flat = other.flat.as_ref();
+        flat.is_none_or(|flat| self.reaches(flat, Side::Front))
+    }
+
+    /// The points around it, rounded; empty if it has no end.
+    pub(super) fn corners(&self) -> Vec<DVec3> {
+        let hull = self.hull.iter().flatten();
+        hull.map(|(_, rounded)| *rounded).collect()
     }
 
     /// Whether some of it can lie strictly on this side of a plane.
@@ -138,23 +179,29 @@ impl Body {
         Some((center, (bounds.max - center).length()))
     }
 
-    /// Whether another surface is certainly on the outer side of one of the planes through a
-    /// light and a border of this one.
-    fn shadow_passes_by(&self, light: DVec3, other: &Self) -> bool {
-        let Some(hull) = &other.hull else {
+    /// Whether another surface is certainly on the outer side of the planes through one border of
+    /// this one and each of some lights, which have it on one side.
+    ///
+    /// For points in between the same holds, since what decides is linear in both ends.
+    fn shadow_passes_by(&self, lights: &[DVec3], other: &Self) -> bool {
+        let (Some(hull), Some(first_light)) = (&other.hull, lights.first()) else {
             return false;
         };
         let next = self.outline.iter().cycle().skip(1);
         let inner = self.outline.iter().cycle().skip(2);
         let mut borders = self.outline.iter().zip(next).zip(inner);
         borders.any(|((from, to), inner)| {
-            let inside = volume(light, *from, *to, *inner);
-            let apart = |(_, point): &(ExactVector, DVec3)| match volume(light, *from, *to, *point)
-            {
-                0.0 => false,
-                side => inside != 0.0 && (side > 0.0) != (inside > 0.0),
-            };
-            hull.iter().all(apart)
+            let inner_side = |light: DVec3| volume(light, *from, *to, *inner);
+            let first = inner_side(*first_light);
+            lights.iter().all(|light| {
+                let inside = inner_side(*light);
+                let apart =
+                    |(_, point): &(ExactVector, DVec3)| match volume(*light, *from, *to, *point) {
+                        0.0 => false,
+                        side => inside != 0.0 && (side > 0.0) != (inside > 0.0),
+                    };
+                inside * first > 0.0 && hull.iter().all(apart)
+            })
         })
     }
 }

@@ -1,9 +1,14 @@
 //! What stands in the way of a light.
 
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::receivers::Body;
 use super::shade::Shade;
+use super::tree::Tree;
 use super::{Entry, SurfaceList};
 use crate::math::{Point, Ray, Rgb, Segment, Side, Support};
 use crate::surface::Hit;
@@ -16,6 +21,16 @@ pub struct LightView<'a> {
     /// For every surface which of the lists counts for it; `None` if the light is behind its plane
     /// or in it.
     list_of: Vec<Option<usize>>,
+    /// What finds the casters if all surfaces share one list.
+    tree: Option<CasterTree>,
+}
+
+/// A tree of surfaces of which some cast shadows.
+#[derive(Debug)]
+struct CasterTree {
+    tree: Arc<Tree>,
+    /// For every surface its place in the list of casters.
+    casters: Vec<Option<u32>>,
 }
 
 /// A surface that can cast a shadow.
@@ -26,6 +41,9 @@ struct Caster<'a> {
     entry: Entry<'a>,
     /// The side of the surface that the light is on.
     side: Side,
+    /// Whether nothing passes where it stands in the way: it is opaque, and on its sheet there is no
+    /// transparent one before it, which would count instead.
+    blocks: bool,
 }
 
 impl Caster<'_> {
@@ -63,14 +81,25 @@ impl<'a> LightView<'a> {
     /// What a light at this place has before it.
     fn new(surfaces: &SurfaceList<'a>, bodies: Option<&Vec<Body>>, light: DVec3) -> Self {
         let location = Point::exact(light);
+        let mut clear_sheets = HashSet::new();
         let casters: Vec<_> = surfaces
             .entries()
             .iter()
             .filter(|entry| entry.surface.common().shadows.cast)
-            .map(|entry| Caster {
-                shade: None,
-                entry: *entry,
-                side: entry.surface.side(&location),
+            .map(|entry| {
+                let opaque = entry.surface.common().material.transparency == 0.0;
+                if !opaque {
+                    clear_sheets.extend(entry.support);
+                }
+                let counts = entry
+                    .support
+                    .is_none_or(|support| !clear_sheets.contains(&support));
+                Caster {
+                    shade: None,
+                    entry: *entry,
+                    side: entry.surface.side(&location),
+                    blocks: opaque && counts,
+                }
             })
             .collect();
         let lit: Vec<_> = surfaces
@@ -84,11 +113,22 @@ impl<'a> LightView<'a> {
         let mut view = Self {
             casters: Vec::new(),
             list_of: vec![None; surfaces.entries().len()],
+            tree: None,
         };
         let Some(bodies) = bodies else {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
+            view.tree = surfaces.tree.as_ref().map(|tree| {
+                let mut places = vec![None; surfaces.entries().len()];
+                for (place, caster) in (0..).zip(&casters) {
+                    places[caster.entry.index] = Some(place);
+                }
+                CasterTree {
+                    tree: tree.clone(),
+                    casters: places,
+                }
+            });
             view.casters.push(casters);
             return view;
         };
@@ -154,29 +194,73 @@ impl<'a> LightView<'a> {
         segment: &Segment,
         tests: &mut u64,
     ) -> Rgb {
-        let mut passed = Rgb::WHITE;
-        let mut crossed: Vec<Support> = Vec::new();
-        let casters = self.casters_for(from).iter();
-        for Caster { entry, side, .. } in casters.filter(|it| it.can_meet(&segment.ray, hit)) {
+        let casters = self.casters_for(from);
+        let mut hides = |caster: &Caster<'_>| {
+            if !caster.can_meet(&segment.ray, hit) {
+                return false;
+            }
             *tests += 1;
-            if !entry.surface.occludes(segment, *side) {
-                continue;
-            }
-            if entry
-                .support
-                .is_some_and(|support| crossed.contains(&support))
-            {
-                continue;
-            }
-            if entry.surface.common().material.transparency == 0.0 {
-                return Rgb::BLACK;
-            }
-            crossed.extend(entry.support);
-            if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
-                let hit = entry.surface.settle(hit, &segment.ray);
-                passed = passed * entry.surface.transmits(&hit);
-            }
+            caster.entry.surface.occludes(segment, caster.side)
+        };
+        let Some(CasterTree {
+            tree,
+            casters: places,
+        }) = &self.tree
+        else {
+            return passed(casters.iter().filter(|caster| hides(caster)), segment);
+        };
+        if casters.is_empty() {
+            return Rgb::WHITE;
         }
-        passed
+        let mut in_the_way = Vec::new();
+        let mut blocked = false;
+        // There is no end: a light that is a rounding off a plane may have the crossing anywhere.
+        tree.walk(&segment.ray, f64::MAX, |index, until| {
+            let Some(place) = places[index] else {
+                return ControlFlow::Continue(until);
+            };
+            let caster = &casters[place as usize];
+            if !hides(caster) {
+                return ControlFlow::Continue(until);
+            }
+            in_the_way.push(place);
+            blocked = caster.blocks;
+            if blocked {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(until)
+            }
+        });
+        if blocked {
+            return Rgb::BLACK;
+        }
+        in_the_way.sort_unstable();
+        passed(
+            in_the_way.iter().map(|place| &casters[*place as usize]),
+            segment,
+        )
     }
+}
+
+/// The share of light that passes all of these, which are in file order.
+fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment: &Segment) -> Rgb {
+    let mut passed = Rgb::WHITE;
+    let mut crossed: Vec<Support> = Vec::new();
+    for Caster { entry, .. } in in_the_way {
+        if entry
+            .support
+            .is_some_and(|support| crossed.contains(&support))
+        {
+            continue;
+        }
+        if entry.surface.common().material.transparency == 0.0 {
+            return Rgb::BLACK;
+        }
+        crossed.extend(entry.support);
+        if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
+            let hit = entry.surface.settle(hit, &segment.ray);
+            passed = passed * entry.surface.transmits(&hit);
+        }
+    }
+    passed
 }

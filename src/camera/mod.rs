@@ -68,6 +68,12 @@ impl Camera {
         }
     }
 
+    /// Whether it looks through the chapter's screen, before which nothing counts.
+    #[must_use]
+    pub fn has_screen(&self) -> bool {
+        self.screen.is_some()
+    }
+
     /// The directions from the viewpoint through the window's corners.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 4] {

@@ -51,18 +51,18 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     let sources = &reading.scene.sources;
     messages.problems(&warnings, sources);
     let all: Vec<_> = reading.warnings.iter().chain(&warnings).cloned().collect();
-    let json = serde_json::json!({
-        "scene": name,
-        "exit": Status::Done.code(),
-        "welds": welds::as_json(&reading.scene),
-        "problems": problems_json(&all, sources),
-    });
     let verdict = match all.len() {
         0 => "ok".to_owned(),
         1 => "ok, 1 warning".to_owned(),
         many => format!("ok, {many} warnings"),
     };
     let text = if options.json {
+        let json = serde_json::json!({
+            "scene": name,
+            "exit": Status::Done.code(),
+            "welds": welds::as_json(&reading.scene),
+            "problems": problems_json(&all, sources),
+        });
         format!("{json}\n")
     } else {
         let welds = welds::as_text(&reading.scene, messages.verbose);

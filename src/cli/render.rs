@@ -275,7 +275,7 @@ impl Done<'_> {
                  {} samples a pixel, scene hash {}",
                 counts.rays(),
                 counts.camera_rays,
-                counts.shadow_rays,
+                counts.shadow_rays + counts.lamp_rays,
                 counts.mirror_rays,
                 counts.transmitted_rays,
                 picture.samples,

@@ -12,6 +12,7 @@ pub(super) fn lines(counts: &Counts) -> String {
     let lines = [
         ("rays from the eye", counts.camera_rays),
         ("rays to lights", counts.shadow_rays),
+        ("rays to lamps", counts.lamp_rays),
         ("rays from mirrors", counts.mirror_rays),
         ("rays through surfaces", counts.transmitted_rays),
         ("rays cut off as too faint", counts.faint_rays),

@@ -157,6 +157,12 @@ impl Node {
         self.get(word).map_or(0.0, |value| value.number())
     }
 
+    /// An attribute of one number that may be absent.
+    #[must_use]
+    pub fn number_if_any(&self, word: &str) -> Option<f64> {
+        self.get(word).map(|value| value.number())
+    }
+
     /// An attribute that is a word, a name or a path; empty if neither given nor with a default.
     #[must_use]
     pub fn text(&self, word: &str) -> String {

@@ -16,8 +16,11 @@ pub struct Material {
     pub specular: Rgb,
     /// Exponent of the glint around a light's mirror image; 0 for none.
     pub shininess: f64,
-    /// Share of the light that goes straight through, from 0 to 1.
+    /// Share of the light that goes through, from 0 to 1.
     pub transparency: f64,
+    /// Index of refraction of what is behind the surface, from 1 to 10; `None` for a thin one that
+    /// bends nothing and mirrors as `specular` says.
+    pub ior: Option<f64>,
 }
 
 impl Material {
@@ -59,6 +62,13 @@ impl Material {
                 "share of the light that goes straight through, tinted by `diffuse`",
             )
             .or(Default::Number(0.0)),
+            Attribute::new(
+                "ior",
+                Takes::Number(Range::Between(1.0, 10.0)),
+                "index of refraction of what is behind the surface: glass 1.5, water 1.33; the \
+                 mirror is then Fresnel's, and what goes through is bent",
+            )
+            .optional(),
         ]],
     };
 
@@ -68,10 +78,16 @@ impl Material {
         self.shininess > 0.0 && !self.specular.is_black()
     }
 
+    /// Whether it mirrors what is before it.
+    #[must_use]
+    pub fn mirrors(&self) -> bool {
+        self.ior.is_some() || !self.specular.is_black()
+    }
+
     /// Whether rays that meet it cause others.
     #[must_use]
     pub fn sends_on(&self) -> bool {
-        self.transparency > 0.0 || !self.specular.is_black()
+        self.transparency > 0.0 || self.mirrors()
     }
 
     /// The colour that light takes on its way through: `diffuse`, its largest channel made 1.
@@ -87,15 +103,25 @@ impl Material {
         }
     }
 
+    /// Whether rays can be inside of what is made of it.
+    #[must_use]
+    pub fn is_entered(&self) -> bool {
+        self.ior.is_some() && self.transparency > 0.0
+    }
+
     /// The material as a node of the scene language.
     #[must_use]
     pub fn describe(&self) -> Node {
-        Node::new(&Self::SCHEMA, Some(&self.name))
+        let node = Node::new(&Self::SCHEMA, Some(&self.name))
             .with("ambient", gray_or_color(self.ambient))
             .with("diffuse", gray_or_color(self.diffuse))
             .with("specular", gray_or_color(self.specular))
             .with("shininess", self.shininess)
-            .with("transparency", self.transparency)
+            .with("transparency", self.transparency);
+        match self.ior {
+            Some(ior) => node.with("ior", ior),
+            None => node,
+        }
     }
 }
 

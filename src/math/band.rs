@@ -57,3 +57,20 @@ pub(crate) const SLIDE: f64 = 134_217_728.0 * UNIT;
 /// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
 /// how far the ray's start may be off.
 pub(crate) const SHADE: f64 = 16_384.0 * UNIT;
+
+/// A ray that rises less than this along a normal is so nearly parallel to the plane that borders are
+/// decided *in* the plane: half of a double's digits, 2⁻²⁶. A border is a line that lies off its
+/// plane by a rounding, and beside a line in space a ray passes where it passes beside its image in the
+/// plane but for that rounding divided by the slope; see [`WIDEN`].
+pub(crate) const GRAZING: f64 = 134_217_728.0 * UNIT;
+
+/// How far outside of its corners a flat surface can be met, in units of the lengths of its box:
+/// 2⁻²⁰. Borders lie off the plane by `EXTENT` of the size at most, which is an eighth of this when
+/// divided by [`GRAZING`]; the rest is for corners that are twice as far away as they are wide.
+pub(crate) const WIDEN: f64 = 8_589_934_592.0 * UNIT;
+
+/// A slab `(face − o)/d` of a box, in units of the size of `o` and of the faces: two roundings in `o`,
+/// two in a face, one for moving it outward, one each for the difference, the reciprocal and the
+/// product, each of which is as good as moving the face: 8 for each of the two. And 8 more, because
+/// the start of a ray may be that far beyond a plane ([`HEIGHT`]) and still before it.
+pub(crate) const SLAB: f64 = 32.0 * UNIT;

@@ -45,8 +45,16 @@ impl Blueprint {
     /// A rectangle: borders left, right, bottom and top.
     #[must_use]
     pub fn rectangle(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Self {
-        let plane = Self::plane(corner, normal);
-        let frame = ExactFrame::new(normal, xdir);
+        Self::framed(corner, ExactFrame::new(normal, xdir), size)
+    }
+
+    /// A rectangle along the axes of a frame.
+    pub(super) fn framed(corner: DVec3, frame: ExactFrame, size: DVec2) -> Self {
+        let plane = Self {
+            point: RationalVector::of_decimals(corner),
+            normal: frame.normal,
+            borders: Vec::new(),
+        };
         let border = |along: &RationalVector, sign: i8, across: f64| Border {
             point: plane.point.clone(),
             along: along.times(&RBig::from(sign)),

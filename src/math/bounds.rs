@@ -25,6 +25,12 @@ impl Bounds {
         })
     }
 
+    /// Whether it has a point in common with another.
+    #[must_use]
+    pub fn touches(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
     /// The eight corners.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {

@@ -21,9 +21,27 @@ pub struct Crossing {
     /// How far the origin may be from where it ought to, if it is no further from the plane than
     /// that: the ray crosses the plane at its very start, and there its line says little.
     pub at_start: Option<f64>,
+    /// How a ray crosses that is nearly parallel to the plane; `None` for all others.
+    pub grazing: Option<Grazing>,
+}
+
+/// A crossing so nearly along the plane that only the exact place says what lies there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grazing {
+    /// The ray meets the plane ahead.
+    Ahead,
+    /// Rounding has put the start of the ray beyond the plane, which it has yet to cross.
+    Behind,
 }
 
 impl Crossing {
+    /// Whether borders have to be asked exactly, however far from them the rounded place is.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_delicate(&self) -> bool {
+        self.at_start.is_some() || self.grazing.is_some()
+    }
+
     /// The distance of the crossing: above zero, as it lies ahead.
     #[must_use]
     pub fn distance(&self) -> f64 {

@@ -2,10 +2,13 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, SLOPE, UNDERFLOW, UNIT};
+use super::band::{GRAZING, HEIGHT, SLOPE, UNDERFLOW, UNIT};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
-use super::{Crossing, Decisions, Point, Ray, Segment, Side, Span};
+use super::{Crossing, Decisions, Grazing, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
+
+/// A slope that is not [`GRAZING`], whichever surface's normal in a plane it was computed with.
+const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 
 /// A plane through a point, with a unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,6 +107,12 @@ impl Flat {
         })
     }
 
+    /// How far at most its point lies from the plane that decides, and what underflow can add.
+    #[must_use]
+    pub(crate) fn slack(&self) -> f64 {
+        self.slack
+    }
+
     /// The normal by which heights are decided.
     #[must_use]
     pub fn decisive_normal(&self) -> DVec3 {
@@ -172,6 +181,16 @@ impl Flat {
         other.side(&Point::exact(self.base)) == side
     }
 
+    /// Where the line of a ray crosses the plane, seen from a scene point: a vector, and what it has
+    /// to be divided by, exactly.
+    pub(super) fn exact_place(&self, ray: &Ray, from: DVec3) -> (ExactVector, Exact) {
+        let (normal, dir) = (ExactVector::from(self.decisive), ExactVector::from(ray.dir));
+        let slope = normal.dot(&dir);
+        let height = ray.origin.exactly_from(self.base).dot(&normal);
+        let place = &ray.origin.exactly_from(from).times(&slope) - &dir.times(&height);
+        (place, slope)
+    }
+
     /// The sign of the height of a point above the plane, exactly.
     fn exact_side(&self, point: &Point) -> Sign {
         let height = point.exactly_from(self.base).dot(&self.decisive.into());
@@ -199,13 +218,15 @@ impl Flat {
             (Side::Front, Side::Back) => false,
             _ => return None,
         };
+        let slope = self.normal.dot(ray.dir);
         Some(Crossing {
             origin,
             height,
-            slope: self.normal.dot(ray.dir),
+            slope,
             rises,
             doubt: self.doubt + ray.doubt,
             at_start,
+            grazing: self.grazing(ray, slope, rises, at_start),
         })
     }
 
@@ -224,8 +245,9 @@ impl Flat {
             rises,
             doubt: self.doubt + ray.doubt,
             at_start: None,
+            grazing: None,
         };
-        if height.abs() > crossing.doubt + ray.astray && slope.abs() > SLOPE {
+        if height.abs() > crossing.doubt + ray.astray && slope.abs() > STEEP {
             return (rises == (height > 0.0)).then_some(crossing);
         }
         self.doubtful_crossing(ray, crossing)
@@ -234,6 +256,14 @@ impl Flat {
     /// Whether the crossing lies ahead, where rounded values leave doubt.
     #[cold]
     fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
+        if crossing.height.abs() > crossing.doubt + ray.astray && crossing.slope.abs() > SLOPE {
+            let Crossing { slope, rises, .. } = crossing;
+            let grazing = self.grazing(ray, slope, rises, None);
+            return (rises == (crossing.height > 0.0)).then_some(Crossing {
+                grazing,
+                ..crossing
+            });
+        }
         let exact = self.exact_slope(ray.dir);
         let sign = exact.sign();
         Decisions::note(sign == Sign::Zero);
@@ -242,11 +272,37 @@ impl Flat {
         let rises = sign == Sign::Positive;
         // A slope so small that no double holds it is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
-        ahead.then_some(Crossing {
+        ahead.then(|| Crossing {
             rises,
             slope: if rises { steepness } else { -steepness },
             at_start,
+            grazing: self.grazing(ray, crossing.slope, rises, at_start),
             ..crossing
+        })
+    }
+
+    /// How a ray crosses the plane if it is nearly parallel to it.
+    #[inline(always)]
+    fn grazing(
+        &self,
+        ray: &Ray,
+        slope: f64,
+        rises: bool,
+        at_start: Option<f64>,
+    ) -> Option<Grazing> {
+        if slope.abs() > STEEP {
+            return None;
+        }
+        // All surfaces in this plane have to agree.
+        let grazes = self.decisive.dot(ray.dir).abs() < GRAZING;
+        grazes.then(|| {
+            let behind =
+                || self.exact_side(&ray.origin) == Sign::of(if rises { 1.0 } else { -1.0 });
+            if at_start.is_some() && behind() {
+                Grazing::Behind
+            } else {
+                Grazing::Ahead
+            }
         })
     }
 

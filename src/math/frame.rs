@@ -25,13 +25,17 @@ impl Frame {
     /// Refuses an `xdir` that is zero, parallel to the normal, or so nearly parallel that the
     /// projection is mostly the rounding of its decimals: below 2⁻²⁰ rad, a fifth of a second.
     pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, Refusal> {
+        Self::of(xdir, &ExactFrame::new(normal, xdir))
+    }
+
+    /// The axes that are those of an exact frame, rounded.
+    pub(super) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, Refusal> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
         let expected = "expected a direction that is not the normal's";
         let refusal = |reason: &str| Refusal::new("xdir", reason, advice).expected(expected);
         if xdir == DVec3::ZERO {
             return Err(refusal("xdir is zero"));
         }
-        let exact = ExactFrame::new(normal, xdir);
         if exact.x.is_zero() {
             return Err(refusal("xdir is parallel to the normal"));
         }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::exact::{Exact, ExactVector, Sign};
-use super::{Crossing, Decisions, Ray};
+use super::{Crossing, Decisions, Flat, Grazing, Ray};
 
 /// A line in a plane with an inner side, as one border of a surface. Neighbours that share the line
 /// decide by the same one, so no ray passes between them.
@@ -80,6 +80,31 @@ impl Line {
         (&side + &shift).sign()
     }
 
+    /// On which side of the line a ray crosses the plane, if the line is brought into the plane;
+    /// positive on the inner side.
+    ///
+    /// Of a ray that is nearly parallel to the plane, [`side`](Self::side) says little about where it
+    /// crosses, since the line lies off the plane by a rounding.
+    #[must_use]
+    fn side_in_plane(&self, ray: &Ray, flat: &Flat) -> Sign {
+        let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
+        let right = along.cross(&flat.decisive_normal().into());
+        let (place, slope) = flat.exact_place(ray, self.point);
+        let shift = &slope * &Exact::from(self.across);
+        (&right.dot(&place) + &shift).sign() * slope.sign()
+    }
+
+    /// How far at most a corner of a surface, which ought to lie on the line, lies from it in the plane,
+    /// and the line there from the plane.
+    #[must_use]
+    pub fn apart(&self, corner: &ExactVector, flat: &Flat) -> f64 {
+        let (point, dir) = (ExactVector::from(self.point), ExactVector::from(self.dir));
+        let along = (corner - &point).dot(&dir).to_f64() / self.dir.length_squared();
+        let rise = flat.exact_slope(self.dir).to_f64() * along;
+        let height = flat.exact_height(&point).to_f64() + rise;
+        self.inward(corner, flat.normal).abs() + height.abs()
+    }
+
     /// How far a point in the plane lies on the inner side of the line.
     #[must_use]
     pub fn inward(&self, point: &ExactVector, normal: DVec3) -> f64 {
@@ -93,6 +118,9 @@ impl Line {
 /// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding;
 /// `corners` are the surface's.
 ///
+/// A ray that is nearly parallel to the plane is asked where it crosses the plane itself, and so never
+/// meets what lies elsewhere.
+///
 /// A ray that starts within rounding of the plane crosses it where it starts. If it starts within
 /// rounding of the surface, it meets it, unless the surface hangs on the other side of the plane
 /// that the ray leaves. So there is no way out between two walls of a room for a ray that rounding
@@ -103,9 +131,10 @@ pub fn inside_all(
     borders: &[Line],
     corners: impl FnOnce() -> Vec<ExactVector>,
     ray: &Ray,
-    normal: DVec3,
+    flat: &Flat,
     crossing: &Crossing,
 ) -> bool {
+    let normal = flat.decisive_normal();
     if let Some(rounding) = crossing.at_start {
         let start = ray.origin.exactly_from(DVec3::ZERO);
         let inside = |border: &Line| border.inward(&start, normal) >= -rounding;
@@ -115,6 +144,9 @@ pub fn inside_all(
                 Decisions::note(true);
                 return met;
             }
+        } else if crossing.grazing == Some(Grazing::Behind) {
+            // What lies at the crossing lies behind the start, and that is no rounding.
+            return false;
         }
     }
     let outer = if crossing.rises {
@@ -124,7 +156,11 @@ pub fn inside_all(
     };
     let mut tie = false;
     let inside = borders.iter().all(|border| {
-        let side = border.side(ray, normal);
+        let side = match crossing.grazing {
+            None => border.side(ray, normal),
+            Some(_) if crossing.rises => border.side_in_plane(ray, flat),
+            Some(_) => -border.side_in_plane(ray, flat),
+        };
         tie |= side == Sign::Zero;
         side != outer && (border.owned || side != Sign::Zero)
     });

@@ -36,6 +36,12 @@ impl Point {
         (self.anchor - other) + self.offset
     }
 
+    /// The vector to this point from another.
+    #[must_use]
+    pub fn way_from(&self, other: &Self) -> DVec3 {
+        (self.anchor - other.anchor) + (self.offset - other.offset)
+    }
+
     /// The sum of all lengths that it is made of.
     #[must_use]
     pub fn size(&self) -> f64 {
@@ -51,6 +57,12 @@ impl Point {
         (between + self.offset, size)
     }
 
+    /// Two vectors that lead from a scene point to this one, one after the other.
+    #[must_use]
+    pub fn parts_from(&self, other: DVec3) -> [DVec3; 2] {
+        [self.anchor - other, self.offset]
+    }
+
     /// The vector from a scene point to this one, exactly.
     #[must_use]
     pub fn exactly_from(&self, other: DVec3) -> ExactVector {
@@ -62,6 +74,12 @@ impl Point {
     #[must_use]
     pub fn world(&self) -> DVec3 {
         self.anchor + self.offset
+    }
+}
+
+impl From<DVec3> for Point {
+    fn from(anchor: DVec3) -> Self {
+        Self::exact(anchor)
     }
 }
 
@@ -95,6 +113,8 @@ pub struct Departure<'a> {
     pub flat: Option<&'a Flat>,
     /// The hit.
     pub point: Point,
+    /// What the hit is on, if the rays that go to its inside meet it again.
+    pub curve: Option<Curve>,
     /// The ray that arrived there.
     pub arriving: &'a Ray<'a>,
     /// How far at most the point lies from where it ought to.
@@ -103,9 +123,19 @@ pub struct Departure<'a> {
     astray: f64,
 }
 
+/// The place on a round thing that rays can be inside of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curve {
+    /// The centre and the half axes.
+    pub round: [DVec3; 2],
+    /// The unit normal, outward.
+    pub normal: DVec3,
+}
+
 impl<'a> Departure<'a> {
     /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
     #[must_use]
+    #[inline]
     pub fn new(
         (support, flat): (Option<Support>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
@@ -119,6 +149,7 @@ impl<'a> Departure<'a> {
             support,
             flat,
             point,
+            curve: None,
             arriving,
             rounding: arriving.rounding() + FOOT * length + (2.0 * error).min(SLIDE * length),
             doubt: HEIGHT * size,
@@ -188,6 +219,15 @@ impl<'a> Ray<'a> {
     #[must_use]
     pub fn leaves(&self) -> Option<Support> {
         self.departure.and_then(|departure| departure.support)
+    }
+
+    /// Whether it goes to the inside of this round thing, if it starts from its surface.
+    ///
+    /// That is the side for which the direction was made, whatever the rounded point says.
+    #[must_use]
+    pub fn goes_inside(&self, round: [DVec3; 2]) -> Option<bool> {
+        let curve = self.departure?.curve?;
+        (curve.round == round).then(|| self.dir.dot(curve.normal) < 0.0)
     }
 
     /// The point at distance `t`.

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::band::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
 use super::exact::ExactVector;
 use super::line::inside_all;
-use super::{Blueprint, Crossing, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
+use super::{Blueprint, Crossing, ExactFrame, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
 use crate::language::Refusal;
 
 /// A rectangle with its lower-left corner, its axes and its size.
@@ -32,7 +32,8 @@ impl Rectangle {
     /// zero.
     pub fn new(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Result<Self, Refusal> {
         let flat = Flat::new(corner, normal)?;
-        let frame = Frame::new(normal, xdir)?;
+        let exact = ExactFrame::new(normal, xdir);
+        let frame = Frame::of(xdir, &exact)?;
         if !(size.is_finite() && size.min_element() > 0.0) {
             return Err(Refusal::new(
                 "dimensions",
@@ -46,7 +47,7 @@ impl Rectangle {
             Line::new(corner, -frame.x, 0.0),
             Line::new(corner, frame.x, size.y),
         ];
-        let blueprint = Blueprint::rectangle(corner, normal, xdir, size);
+        let blueprint = Blueprint::framed(corner, exact, size);
         for (border, exact) in borders.iter_mut().zip(&blueprint.borders) {
             *border = exact.exact_line(&blueprint.normal).unwrap_or(*border);
         }
@@ -64,6 +65,9 @@ impl Rectangle {
     pub fn welded(self, to: &Flat, borders: [Option<Line>; 4]) -> Self {
         let flat = self.flat.welded(to);
         let mut welded = Self { flat, ..self };
+        if borders.iter().all(Option::is_none) {
+            return welded;
+        }
         let ends = [[0, 3], [1, 2], [0, 1], [3, 2]];
         let corners = self.exact_corners();
         for ((border, line), ends) in welded.borders.iter_mut().zip(borders).zip(ends) {
@@ -71,7 +75,7 @@ impl Rectangle {
             *border = line;
             // A border is straight, so nowhere is it further off than at one of its ends.
             for end in ends {
-                let apart = line.inward(&corners[end], flat.normal).abs();
+                let apart = line.apart(&corners[end], &flat);
                 welded.slack = welded.slack.max(self.slack + apart.next_up());
             }
         }
@@ -134,13 +138,13 @@ impl Rectangle {
         let sign = if crossing.rises { 1.0 } else { -1.0 };
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
         let exactly = || {
-            let (normal, corners) = (self.flat.decisive_normal(), || self.exact_corners().into());
-            inside_all(&self.borders, corners, ray, normal, crossing)
+            let corners = || self.exact_corners().into();
+            inside_all(&self.borders, corners, ray, &self.flat, crossing)
         };
 
         let x = self.frame.y.dot(moment) * sign;
         let y = -self.frame.x.dot(moment) * sign;
-        if crossing.at_start.is_some() {
+        if crossing.is_delicate() {
             return exactly().then(|| DVec2::new(x, y));
         }
         let beyond_x = self.size.x * scale - x;
@@ -154,6 +158,11 @@ impl Rectangle {
         let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
         let inside = if certain { true } else { exactly() };
         inside.then(|| DVec2::new(x, y))
+    }
+
+    /// How far at most the lines that decide lie from its own borders and its plane.
+    pub(crate) fn slack(&self) -> f64 {
+        self.slack
     }
 
     /// The lines that decide its borders: left, right, bottom and top.

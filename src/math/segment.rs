@@ -4,13 +4,13 @@ use glam::DVec3;
 
 use super::{Crossing, Departure, Point, Ray, Span, direction};
 
-/// The straight way from a point on a surface to a scene point, such as a light.
+/// The straight way from a point on a surface to another point, such as a light.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment<'a> {
     /// The ray from the start towards the end.
     pub ray: Ray<'a>,
-    /// The scene point at the end.
-    pub end: DVec3,
+    /// The point at the end.
+    pub end: Point,
     /// The distance from start to end.
     pub length: f64,
     /// The distances at which something can stand in the way.
@@ -18,20 +18,22 @@ pub struct Segment<'a> {
 }
 
 impl<'a> Segment<'a> {
-    /// The segment from a hit to a scene point; `None` if they coincide.
+    /// The segment from a hit to a point; `None` if they coincide.
     #[must_use]
-    pub fn new(departure: &'a Departure<'a>, end: DVec3) -> Option<Self> {
-        Self::along(departure.point, end, |dir| Ray::leaving(departure, dir))
+    pub fn new(departure: &'a Departure<'a>, end: impl Into<Point>) -> Option<Self> {
+        Self::along(departure.point, end.into(), |dir| {
+            Ray::leaving(departure, dir)
+        })
     }
 
-    /// The segment from a point in free space to a scene point; `None` if they coincide.
+    /// The segment from a point in free space to another; `None` if they coincide.
     #[must_use]
-    pub fn free(start: Point, end: DVec3) -> Option<Self> {
-        Self::along(start, end, |dir| Ray::new(start, dir))
+    pub fn free(start: Point, end: impl Into<Point>) -> Option<Self> {
+        Self::along(start, end.into(), |dir| Ray::new(start, dir))
     }
 
-    fn along(start: Point, end: DVec3, ray: impl FnOnce(DVec3) -> Ray<'a>) -> Option<Self> {
-        let way = -start.from(end);
+    fn along(start: Point, end: Point, ray: impl FnOnce(DVec3) -> Ray<'a>) -> Option<Self> {
+        let way = end.way_from(&start);
         let length = way.length();
         (length > 0.0 && length.is_finite()).then(|| Self {
             ray: ray(direction(way)),

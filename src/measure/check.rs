@@ -2,22 +2,19 @@
 
 use glam::DVec3;
 
-use crate::accel::supports;
+use crate::accel::{LampView, SurfaceList};
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem, Value};
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
 
+use super::coincident::coincident;
+
 /// How far an `xdir` may point out of its plane before it is remarked on, in degrees.
 ///
 /// Smaller, and rounded decimals are remarked on; larger, and a real mistake is not.
 const XDIR_TOLERANCE: f64 = 0.1;
-
-/// How much of its own size is taken for rounding when surfaces share a plane or an area.
-///
-/// Smaller, and tiles at rounded decimals are remarked on; larger, and a real overlap is not.
-const SHARED_TOLERANCE: f64 = 1e-9;
 
 /// Warnings about geometry that is allowed but probably not meant.
 #[must_use]
@@ -36,6 +33,7 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
         .filter_map(|(node, at)| tilted_xdir(&node, at))
         .collect();
     warnings.extend(useless_lights(scene));
+    warnings.extend(useless_lamps(scene));
     if let Ok(camera) = scene.view.camera(scene.picture.width, scene.picture.height) {
         warnings.extend(surfaces().filter_map(|surface| around_camera(surface, &camera)));
         let hidden = surfaces().filter(|surface| !in_front(*surface, &camera, &scene.view));
@@ -46,7 +44,7 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
 }
 
 /// What a message calls a surface or a light: its kind and name.
-fn title(node: &Node, name: Option<&str>) -> String {
+pub(super) fn title(node: &Node, name: Option<&str>) -> String {
     let word = node.schema.word;
     match name {
         Some(name) => format!("the {word} {name:?}"),
@@ -55,7 +53,7 @@ fn title(node: &Node, name: Option<&str>) -> String {
     }
 }
 
-fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
+pub(super) fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
     let common = surface.common();
     let title = title(&surface.describe(), common.name.as_deref());
     let at = common.location.unwrap_or(Location {
@@ -101,6 +99,25 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
                     turn a normal around or move the light";
         Some(Problem::warning(light.place?, message, "lights nothing").help(help))
     })
+}
+
+/// Lamps that shine on no surface's front.
+fn useless_lamps(scene: &Scene) -> Vec<Problem> {
+    let surfaces = SurfaceList::new(&scene.surfaces);
+    let lit = || {
+        let entries = surfaces.entries().iter();
+        entries.filter(|entry| entry.surface.lamp().is_none())
+    };
+    let views = LampView::all(&surfaces, &scene.surfaces, true);
+    let useless = views
+        .iter()
+        .filter(|view| lit().next().is_some() && !lit().any(|entry| view.lights(entry)));
+    let problems = useless.filter_map(|view| {
+        let what = "shines on the front of no surface";
+        let problem = warning(view.lamp, what, "lights nothing, but is seen")?;
+        Some(problem.help("turn its normal or that of a surface around, or move it"))
+    });
+    problems.collect()
 }
 
 fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
@@ -159,84 +176,4 @@ fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Problem> {
             Some(problem.help("it can still be seen in mirrors and cast shadows"))
         }
     }
-}
-
-/// Surfaces on one sheet, or nearly, that share an area.
-fn coincident(scene: &Scene) -> Vec<Problem> {
-    let supports = supports(&scene.surfaces);
-    let mut problems = Vec::new();
-    for (index, later) in scene.surfaces.iter().enumerate() {
-        let same = |earlier: &usize| supports[*earlier] == supports[index];
-        let meets = |earlier: &usize| {
-            let other = &*scene.surfaces[*earlier];
-            (same(earlier) || nearly_one_plane(other, &**later)) && overlap(other, &**later)
-        };
-        let Some(earlier) = (0..index).find(meets) else {
-            continue;
-        };
-        let other = &scene.surfaces[earlier];
-        let name = other.common().name.as_deref();
-        let other_title = title(&other.describe(), name);
-        let what = match later.flat() {
-            Some(_) => format!("lies in the same plane as {other_title}"),
-            None => format!("coincides with {other_title}"),
-        };
-        let label = if same(&earlier) {
-            "where they overlap, the first in the file is seen"
-        } else {
-            "where they overlap, rounding decides which is seen"
-        };
-        let problem = warning(&**later, &what, label);
-        let help = "move one of them a little if both are to be seen";
-        problems.extend(problem.map(|problem| problem.help(help)));
-    }
-    problems
-}
-
-/// Whether two planes are the same but for rounding.
-fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.flat(), b.flat()) else {
-        return false;
-    };
-    let way = b.point - a.point;
-    a.normal.cross(b.normal).length() <= SHARED_TOLERANCE
-        && a.normal.dot(way).abs() <= SHARED_TOLERANCE * way.length()
-}
-
-/// Whether two surfaces in one plane share an area.
-///
-/// Two convex outlines are apart if one of their edges has one of them on either side (the
-/// separating axis theorem).
-fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let Some(normal) = a.flat().map(|flat| flat.normal) else {
-        // Round surfaces on one sheet are the same.
-        return true;
-    };
-    let (a, b) = (a.outline(), b.outline());
-    if a.is_empty() || b.is_empty() {
-        // One of them has no end.
-        return true;
-    }
-    let edges = |corners: &[DVec3]| {
-        let next = corners.iter().cycle().skip(1);
-        let edges = corners.iter().zip(next).map(|(from, to)| *to - *from);
-        edges.collect::<Vec<_>>()
-    };
-    let all_edges = edges(&a).into_iter().chain(edges(&b));
-    !all_edges
-        .into_iter()
-        .any(|edge| apart(&a, &b, normal.cross(edge)))
-}
-
-/// Whether the shadows of two outlines on an axis share no more than rounding.
-fn apart(a: &[DVec3], b: &[DVec3], axis: DVec3) -> bool {
-    let span = |corners: &[DVec3]| {
-        let places = corners.iter().map(|corner| axis.dot(*corner));
-        places.fold((f64::MAX, f64::MIN), |(low, high), place| {
-            (low.min(place), high.max(place))
-        })
-    };
-    let ((a_low, a_high), (b_low, b_high)) = (span(a), span(b));
-    let shared = a_high.min(b_high) - a_low.max(b_low);
-    shared <= SHARED_TOLERANCE * (a_high - a_low).min(b_high - b_low)
 }

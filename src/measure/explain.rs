@@ -180,7 +180,11 @@ impl EffectRow {
                 Effect::Mirrors => Some(counts.mirror_rays),
                 Effect::Transparency => Some(counts.transmitted_rays),
                 Effect::Antialiasing => Some(counts.camera_rays - pixels),
-                Effect::Glints | Effect::SpotCones | Effect::Projectors | Effect::Textures => None,
+                Effect::Refraction
+                | Effect::Glints
+                | Effect::SpotCones
+                | Effect::Projectors
+                | Effect::Textures => None,
             },
             effect: decision.effect,
             on: decision.on,

@@ -3,6 +3,7 @@
 mod change;
 mod check;
 mod clock;
+mod coincident;
 mod explain;
 mod price_list;
 mod prices;

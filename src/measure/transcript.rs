@@ -124,7 +124,7 @@ impl Listener<'_, '_> {
 
 impl Probe for Listener<'_, '_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
-        if kind == RayKind::Shadow {
+        if matches!(kind, RayKind::Shadow | RayKind::Lamp) {
             return;
         }
         self.open.push(Step {
@@ -212,6 +212,7 @@ fn word(kind: RayKind) -> &'static str {
     match kind {
         RayKind::Camera => "from the eye",
         RayKind::Shadow => "to a light",
+        RayKind::Lamp => "to a lamp",
         RayKind::Mirror => "mirrored",
         RayKind::Transmitted => "transmitted",
     }

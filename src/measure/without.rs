@@ -14,7 +14,7 @@ use crate::texture::Texture;
 /// described, its nodes are changed, and their text is read.
 ///
 /// Mirrors and glints share `specular`, so without mirrors there are no glints either; glints alone
-/// are switched off by `shininess`.
+/// are switched off by `shininess`. What has an `ior` mirrors by it, so without mirrors there is none.
 ///
 /// # Errors
 /// Refuses a scene that cannot be read again, because its textures cannot.
@@ -50,13 +50,17 @@ fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
 fn off(node: Node, effect: Effect) -> Node {
     match effect {
         Effect::Shadows => unshadowed(node),
-        Effect::Mirrors => with_zero(node, "specular"),
+        Effect::Mirrors => lacking(with_zero(node, "specular"), "ior"),
         Effect::Transparency => with_zero(node, "transparency"),
+        Effect::Refraction => lacking(node, "ior"),
         Effect::Glints => with_zero(node, "shininess"),
         Effect::SpotCones => changed(node, &Cone::SCHEMA, &Light::SCHEMA),
         Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),
         Effect::Textures if node.schema == &Slide::SCHEMA => node,
-        Effect::Textures => bare(changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA)),
+        Effect::Textures => {
+            let node = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
+            lacking(node, "texture")
+        }
         Effect::Antialiasing => with_one_sample(node),
     }
 }
@@ -92,10 +96,9 @@ fn changed(mut node: Node, from: &Schema, to: &'static Schema) -> Node {
     node
 }
 
-/// Without an image.
-fn bare(mut node: Node) -> Node {
-    node.attributes
-        .retain(|entry| entry.attribute.word != "texture");
+/// Without an attribute.
+fn lacking(mut node: Node, word: &str) -> Node {
+    node.attributes.retain(|entry| entry.attribute.word != word);
     node
 }
 

@@ -15,9 +15,9 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
         Effect::Mirrors => of_surfaces(
             plan,
             effect,
-            |surface| !surface.common().material.specular.is_black(),
+            |surface| surface.common().material.mirrors(),
             ["mirrors what is before it", "mirror what is before them"],
-            "`specular`",
+            "`specular` or `ior`",
         ),
         Effect::Transparency => of_surfaces(
             plan,
@@ -25,6 +25,13 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
             |surface| surface.common().material.transparency > 0.0,
             ["lets light through", "let light through"],
             "`transparency`",
+        ),
+        Effect::Refraction => of_surfaces(
+            plan,
+            effect,
+            |surface| surface.common().material.is_entered(),
+            ["bends light", "bend light"],
+            "both `ior` and `transparency`",
         ),
         Effect::Glints => glints(plan),
         Effect::SpotCones => of_lights(plan, effect, |light| matches!(light.beam, Beam::Cone(_))),

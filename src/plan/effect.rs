@@ -14,8 +14,10 @@ pub enum Effect {
     Shadows,
     /// Surfaces that show what is before them.
     Mirrors,
-    /// Surfaces that let light straight through.
+    /// Surfaces that let light through.
     Transparency,
+    /// Surfaces that bend what goes through them.
+    Refraction,
     /// The images of lights on shiny surfaces.
     Glints,
     /// Lights that shine into a cone.
@@ -30,10 +32,11 @@ pub enum Effect {
 
 impl Effect {
     /// All of them, in the order in which they are explained.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Shadows,
         Self::Mirrors,
         Self::Transparency,
+        Self::Refraction,
         Self::Glints,
         Self::SpotCones,
         Self::Projectors,
@@ -48,6 +51,7 @@ impl Effect {
             Self::Shadows => "shadows",
             Self::Mirrors => "mirrors",
             Self::Transparency => "transparency",
+            Self::Refraction => "refraction",
             Self::Glints => "glints",
             Self::SpotCones => "spot cones",
             Self::Projectors => "projectors",

@@ -12,7 +12,7 @@ pub use scope::Scope;
 pub use tail::Tail;
 pub use unlit::Unlit;
 
-use crate::accel::{LightView, Sight, SurfaceList};
+use crate::accel::{Accelerator, LampView, LightView, Sight, SurfaceList};
 use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::scene::{Picture, Scene};
@@ -27,7 +27,8 @@ pub struct Plan<'a> {
     pub camera: Camera,
     /// The surfaces that rays can meet.
     pub surfaces: SurfaceList<'a>,
-    /// What the camera sees where; `None` if everything is looked for everywhere.
+    /// What the camera sees where; `None` if everything is looked for everywhere, or a
+    /// tree knows better.
     pub sight: Option<Sight<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     pub light_views: Vec<LightView<'a>>,
@@ -35,6 +36,8 @@ pub struct Plan<'a> {
     pub seen: Vec<bool>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
+    /// What each lamp has before it, in the order of the scene's surfaces.
+    pub lamp_views: Vec<LampView<'a>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// Whether anything is left out.
@@ -52,11 +55,28 @@ impl<'a> Plan<'a> {
         classic: Option<&'a [Box<dyn Surface + 'a>]>,
         scope: Scope,
     ) -> Result<Self, Refusal> {
+        let accelerator = match scope {
+            Scope::CalledFor => Accelerator::for_count(scene.surfaces.len()),
+            Scope::Everything => Accelerator::List,
+        };
+        Self::with(scene, classic, scope, accelerator)
+    }
+
+    /// The same plan with surfaces found in this way. Classic ones are always in a list.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with(
+        scene: &'a Scene,
+        classic: Option<&'a [Box<dyn Surface + 'a>]>,
+        scope: Scope,
+        accelerator: Accelerator,
+    ) -> Result<Self, Refusal> {
         let camera = scene
             .view
             .camera(scene.picture.width, scene.picture.height)?;
         let surfaces = match classic {
-            None => SurfaceList::new(&scene.surfaces),
+            None => SurfaceList::with(&scene.surfaces, accelerator),
             Some(classic) => SurfaceList::without_sheets(classic),
         };
         // Rounded numerics prove nothing, so they leave nothing out.
@@ -79,10 +99,12 @@ impl<'a> Plan<'a> {
         for (view, unlit) in light_views.iter_mut().zip(&unlit) {
             view.retain(|surface| unlit[surface].is_none());
         }
+        let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
+            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             camera,
-            sight,
+            sight: sight.filter(|_| all_asked),
             light_views,
             surfaces,
             seen,

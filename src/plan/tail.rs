@@ -20,8 +20,11 @@ impl Tail {
     /// The tail bound of a scene; infinite if two surfaces could send light to and fro undimmed.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let all = scene.surfaces.iter();
-        let brightest = all.map(|surface| brightest(&**surface, &scene.lights, scene.lighting));
+        let all = || scene.surfaces.iter().map(AsRef::as_ref);
+        // No lamp gives more than a sky as bright.
+        let lamps = all().filter_map(|surface| surface.lamp());
+        let lamplight = lamps.map(|lamp| lamp.emissivity().largest()).sum();
+        let brightest = all().map(|surface| brightest(surface, scene, lamplight));
         Self {
             brightest: brightest.fold(0.0, f64::max),
         }
@@ -41,7 +44,7 @@ impl Tail {
 }
 
 /// The greatest value that can come back from a surface, all its mirror images included.
-fn brightest(surface: &dyn Surface, lights: &[Light], lighting: Lighting) -> f64 {
+fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
     let material = &surface.common().material;
     let [ambient, diffuse] = surface.brightest();
     let glints = if material.shininess > 0.0 {
@@ -49,13 +52,24 @@ fn brightest(surface: &dyn Surface, lights: &[Light], lighting: Lighting) -> f64
     } else {
         0.0
     };
-    let lit = lights
+    let lit = scene
+        .lights
         .iter()
-        .map(|light| strength(surface, light, lighting))
+        .map(|light| strength(surface, light, scene.lighting))
         .map(|[direct, glint]| direct * diffuse + glint * glints);
-    let own = (ambient + lit.sum::<f64>()) * (1.0 - material.transparency);
+    let shown = surface
+        .lamp()
+        .map_or(0.0, |lamp| lamp.emissivity().largest());
+    let own =
+        (ambient + shown + lamplight * diffuse + lit.sum::<f64>()) * (1.0 - material.transparency);
     let through = material.transparency * material.filter().largest();
-    let kept = through + material.specular.largest();
+    // With an index of refraction the share R is mirrored and the rest shared out as if nothing
+    // were: (1 − R)(a + k V) + R V is no more than V where a + k V is not.
+    let mirrored = match material.ior {
+        None => material.specular.largest(),
+        Some(_) => 0.0,
+    };
+    let kept = through + mirrored;
     if own == 0.0 && kept <= 1.0 {
         return 0.0;
     }

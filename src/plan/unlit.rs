@@ -15,7 +15,7 @@ pub enum Unlit {
     Behind,
     /// The light has no emissivity.
     Dark,
-    /// The surface has neither a diffuse colour nor glints.
+    /// The surface has neither a diffuse colour nor glints, or lets all light through.
     Colorless,
     /// The surface is outside of the light's cone or slide.
     OutsideBeam,
@@ -32,7 +32,8 @@ impl Unlit {
             return Some(Self::Behind);
         }
         let [_, diffuse] = surface.brightest();
-        let answers = diffuse > 0.0 || surface.common().material.has_glints();
+        let material = &surface.common().material;
+        let answers = (diffuse > 0.0 || material.has_glints()) && material.transparency < 1.0;
         let passes_by = || match (&light.beam, surface.bounds()) {
             (Beam::Everywhere, _) | (_, None) => false,
             (Beam::Cone(cone), Some(bounds)) => beam::cone_passes_by(light.location, cone, &bounds),

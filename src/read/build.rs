@@ -203,6 +203,7 @@ fn material(name: &str, node: &Node) -> Material {
         specular: node.triple("specular").into(),
         shininess: node.number("shininess"),
         transparency: node.number("transparency"),
+        ior: node.number_if_any("ior"),
     }
 }
 

@@ -6,7 +6,7 @@ use super::build::{Parts, refused};
 use super::textures;
 use crate::language::{Node, Problem, Refusal, Value};
 use crate::surface::{
-    Common, Ellipsoid, FinitePlane, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
+    Common, Ellipsoid, FinitePlane, Lamp, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
     TexturePlane, TileStart, TiledPlane, Triangle,
 };
 use crate::texture::Texture;
@@ -17,6 +17,25 @@ pub(super) fn surface(
     parts: &Parts,
     problems: &mut Vec<Problem>,
 ) -> Option<Box<dyn Surface>> {
+    let made = if node.schema == &Lamp::SCHEMA {
+        // The one surface without a material.
+        boxed(Lamp::from_node(
+            node,
+            Common::black(node.name.clone(), node.location),
+        ))
+    } else {
+        with_material(node, parts, problems)?
+    };
+    made.map_err(|refusal| refused(node, refusal, problems))
+        .ok()
+}
+
+/// The surface, or why it cannot exist; `None` if that is a problem already.
+fn with_material(
+    node: &Node,
+    parts: &Parts,
+    problems: &mut Vec<Problem>,
+) -> Option<Result<Box<dyn Surface>, Refusal>> {
     let material = parts.materials.find(node, "material");
     let shadow = |word| {
         let entry = node.entry("shadows");
@@ -36,7 +55,7 @@ pub(super) fn surface(
     };
     let (point, normal) = (|| node.triple("point"), || node.triple("normal"));
 
-    let made: Result<Box<dyn Surface>, Refusal> = match node.schema.word {
+    Some(match node.schema.word {
         "plane" => {
             let plane = Plane::new(common(material?), point(), normal());
             boxed(plane.and_then(|plane| plane.near(parts.eye)))
@@ -83,9 +102,7 @@ pub(super) fn surface(
             boxed(Triangle::new(common(material?), vertices))
         }
         other => unreachable!("the surface list has {other:?}, this match has no arm for it"),
-    };
-    made.map_err(|refusal| refused(node, refusal, problems))
-        .ok()
+    })
 }
 
 fn boxed<S: Surface + 'static>(made: Result<S, Refusal>) -> Result<Box<dyn Surface>, Refusal> {

@@ -1,6 +1,8 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
 mod errors;
+mod lamps;
+mod media;
 mod probe;
 mod samples;
 mod shading;
@@ -59,8 +61,18 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), scope)?;
-    let tracer = Tracer::new(&plan);
+    drawn(&Plan::new(scene, classic.as_deref(), scope)?, progress)
+}
+
+/// Renders a scene as it is planned; for the rest as [`observed`].
+///
+/// # Errors
+/// Refuses a picture that memory cannot hold.
+pub fn drawn<P: Probe + Default + Send + Sum>(
+    plan: &Plan<'_>,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
+    let (scene, tracer) = (plan.scene, Tracer::new(plan));
     let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
     let mut film = Film::new(width, height).ok_or_else(|| {
         let reason = format!("there is no memory for {width} by {height} pixels");

@@ -13,6 +13,8 @@ pub enum RayKind {
     Camera,
     /// From a surface to a light.
     Shadow,
+    /// From a surface to a point of a lamp.
+    Lamp,
     /// Mirrored by a surface.
     Mirror,
     /// Straight through a surface.
@@ -68,7 +70,8 @@ pub trait Probe {
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
     fn hit_tests(&mut self, _count: u64) {}
-    /// Surfaces that were asked whether they hide one of the scene's lights.
+    /// Surfaces that were asked whether they hide one of the scene's lights, or of its lamps, which
+    /// are counted on from them.
     fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
@@ -83,6 +86,8 @@ pub struct Counts {
     pub camera_rays: u64,
     /// Rays to lights.
     pub shadow_rays: u64,
+    /// Rays to points of lamps.
+    pub lamp_rays: u64,
     /// Rays from mirrors.
     pub mirror_rays: u64,
     /// Rays through surfaces.
@@ -104,7 +109,11 @@ impl Counts {
     /// All rays.
     #[must_use]
     pub fn rays(&self) -> u64 {
-        self.camera_rays + self.shadow_rays + self.mirror_rays + self.transmitted_rays
+        self.camera_rays
+            + self.shadow_rays
+            + self.lamp_rays
+            + self.mirror_rays
+            + self.transmitted_rays
     }
 
     /// The same counts times `of / pixels`, rounded: what so many pixels take if others are like
@@ -118,10 +127,11 @@ impl Counts {
         self
     }
 
-    fn each(&mut self) -> [&mut u64; 10] {
+    fn each(&mut self) -> [&mut u64; 11] {
         let Self {
             camera_rays,
             shadow_rays,
+            lamp_rays,
             mirror_rays,
             transmitted_rays,
             faint_rays,
@@ -133,6 +143,7 @@ impl Counts {
         [
             camera_rays,
             shadow_rays,
+            lamp_rays,
             mirror_rays,
             transmitted_rays,
             faint_rays,
@@ -150,6 +161,7 @@ impl Probe for Counts {
         match kind {
             RayKind::Camera => self.camera_rays += 1,
             RayKind::Shadow => self.shadow_rays += 1,
+            RayKind::Lamp => self.lamp_rays += 1,
             RayKind::Mirror => self.mirror_rays += 1,
             RayKind::Transmitted => self.transmitted_rays += 1,
         }

@@ -1,10 +1,11 @@
 //! The colour along one ray.
 
 use crate::accel::Entry;
-use crate::math::{Departure, Ray, Rgb};
+use crate::math::{Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
+use super::media::Media;
 use super::{Errors, Probe, RayKind, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
@@ -21,13 +22,17 @@ pub struct Tracer<'a> {
 
 /// How a ray came to be where it is.
 #[derive(Debug)]
-struct Path {
+struct Path<'a> {
     /// Distance from the eye to the ray's origin, along all mirrors.
     travelled: f64,
     /// The largest share of the ray's colour that reaches the pixel.
     weight: f64,
+    /// What the ray is inside of.
+    media: Media<'a>,
     /// What rounding may have done to it.
     errors: Errors,
+    /// What tells it from other rays from the eye.
+    seed: u64,
 }
 
 /// What is left for the rays that one ray from the eye causes.
@@ -37,6 +42,31 @@ struct Budget {
     rays: u32,
     /// How much light may still be missed.
     light: f64,
+}
+
+impl Budget {
+    /// Puts a share aside, so that the one of two rays that is followed first cannot use up all.
+    fn put_aside(&mut self, share: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a share of a small count"
+        )]
+        let rays = (f64::from(self.rays) * share) as u32;
+        let aside = Self {
+            rays,
+            light: self.light * share,
+        };
+        self.rays -= aside.rays;
+        self.light -= aside.light;
+        aside
+    }
+
+    /// Adds what was put aside to what is left.
+    fn take_back(&mut self, aside: Self) {
+        self.rays += aside.rays;
+        self.light += aside.light;
+    }
 }
 
 impl<'a> Tracer<'a> {
@@ -57,7 +87,9 @@ impl<'a> Tracer<'a> {
         let path = Path {
             travelled: 0.0,
             weight: 1.0,
+            media: Media::Air,
             errors: Errors::default(),
+            seed: x.to_bits() ^ y.to_bits().rotate_left(32),
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
@@ -96,20 +128,27 @@ impl<'a> Tracer<'a> {
         let errors = path.errors.at(&hit);
         probe.met(entry.index, &hit, errors);
         let surface = entry.surface;
-        let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
+        let departure = entry.departure(ray, &hit);
         let travelled = path.travelled + hit.t;
-        let local = self.local_color(ray, entry, &departure, &hit, probe);
+        let mut local = self.local_color(ray, entry, &departure, &hit, probe);
+        if !self.plan.lamp_views.is_empty() {
+            let light = self.lamplight(ray, entry, &departure, &hit, path.seed, probe);
+            local = (local + light).saturated();
+        }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
 
         let material = &surface.common().material;
+        let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
-        let mut follow = |share: Rgb, dir, kind, probe: &mut _| {
+        let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
+                media,
                 errors: errors.behind(surface),
+                seed: path.seed.wrapping_add(1),
             };
             let uncalled = path.weight == 0.0 && everything;
             let worth = self.is_worth_following(&path, divisor, budget);
@@ -121,14 +160,21 @@ impl<'a> Tracer<'a> {
             let next = Ray::leaving(&departure, dir);
             share * self.trace(&next, &path, budget, probe)
         };
+        color = color * boundary.passing;
         if material.transparency > 0.0 || everything {
-            let share = surface.transmits(&hit);
-            let through = follow(share, ray.dir, RayKind::Transmitted, probe);
+            // Of two rays each may cost what it weighs: in glass both go on and on.
+            let aside = budget.put_aside(1.0 - boundary.passing);
+            let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
+                let share = surface.transmits(&hit) * boundary.passing;
+                let onward = (dir, boundary.beyond);
+                follow(share, onward, RayKind::Transmitted, budget, probe)
+            });
+            budget.take_back(aside);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
-        if !material.specular.is_black() || everything {
-            let direction = ray.mirrored(hit.normal);
-            let mirrored = follow(material.specular, direction, RayKind::Mirror, probe);
+        if !boundary.mirrored.is_black() || everything {
+            let onward = (ray.mirrored(hit.normal), path.media);
+            let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
             color = (color + mirrored).saturated();
         }
         probe.came_back(color);

@@ -25,6 +25,11 @@ pub(super) struct Chord {
     half_squared_doubt: f64,
 }
 
+/// The scalar product of origin and direction has 13 roundings, its quotient by `a` one more beside
+/// those of `a`, of which there are 13 too; the foot `c − (c·d/a) d` 7 more: 34, all in units of
+/// `size` along a direction of unit length.
+const ROUNDINGS: f64 = 40.0 * UNIT;
+
 /// The quadratic equation `a t² − 2 b t + c = 0` of the distances at which a ray meets a round
 /// surface, exactly.
 #[derive(Debug)]
@@ -50,10 +55,6 @@ impl Chord {
         speed_squared: f64,
         radius: f64,
     ) -> Option<Self> {
-        // The scalar product of the two has 13 roundings, its quotient by `a` one more beside those
-        // of `a`, of which there are 13 too; the foot `c − (c·d/a) d` 7 more: 34, all in units of
-        // `size` along a direction of unit length.
-        const ROUNDINGS: f64 = 40.0 * UNIT;
         // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 29 roundings.
         const OF_DISCRIMINANT: f64 = 64.0 * UNIT;
         let along = origin.dot(dir);
@@ -65,23 +66,33 @@ impl Chord {
         if discriminant < -OF_DISCRIMINANT * largest {
             return None;
         }
-        let doubt = ROUNDINGS * size;
         // With a direction longer than 1, `along` is larger as well, and so is what it is off by.
-        if along > doubt * dir.abs().element_sum() {
+        if along > ROUNDINGS * size * dir.abs().element_sum() {
             return None;
         }
-        let foot = along / speed_squared;
+        Some(Self::of_line(origin, size, dir, speed_squared, radius))
+    }
+
+    /// The chord of a line, whichever way it leads.
+    #[inline(always)]
+    pub(super) fn of_line(
+        origin: DVec3,
+        size: f64,
+        dir: DVec3,
+        speed_squared: f64,
+        radius: f64,
+    ) -> Self {
+        let doubt = ROUNDINGS * size;
+        let foot = origin.dot(dir) / speed_squared;
         let nearest = origin - dir * foot;
         let (nearest_squared, radius_squared) = (nearest.length_squared(), radius * radius);
-        let squares = nearest_squared + radius_squared;
-        Some(Self {
+        Self {
             ahead: -foot,
             half_squared: radius_squared - nearest_squared,
             speed_squared,
             doubt,
-            // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r.
-            half_squared_doubt: doubt * (squares / radius + doubt) + 5.0 * UNIT * squares,
-        })
+            half_squared_doubt: of_squares(nearest_squared + radius_squared, doubt, radius),
+        }
     }
 
     /// The distance at which the line enters the ball, and how far at most it is from the exact
@@ -127,7 +138,25 @@ impl Chord {
         let met = (c.sign() == Sign::Positive || close)
             && b.sign() == Sign::Positive
             && discriminant.sign() == Sign::Positive;
-        met.then(|| (t.max(f64::from_bits(1)), error))
+        met.then(|| (above_zero(t), error))
+    }
+
+    /// The distance at which a line from inside comes out, and how far at most it is from the
+    /// exact one.
+    ///
+    /// What starts inside comes out ahead, even if rounding has put its start outside.
+    pub(super) fn exit(&self) -> (f64, f64) {
+        let speed = self.speed_squared.sqrt();
+        let half = self.half_squared.max(0.0).sqrt();
+        let t = self.ahead + half / speed;
+        (above_zero(t), self.error(half, speed))
+    }
+
+    /// The same for a line that starts on the ball and leads inside: the whole chord is twice the
+    /// way to its middle. Nothing cancels, and the start itself is no solution.
+    pub(super) fn whole(&self) -> (f64, f64) {
+        let error = self.doubt / self.speed_squared.sqrt() + 4.0 * UNIT * self.ahead.abs();
+        (above_zero(2.0 * self.ahead), 2.0 * error)
     }
 
     /// How far at most the distance is off.
@@ -147,16 +176,60 @@ impl Quadratic {
     pub(super) fn entry(self) -> Option<Distance> {
         Some(Distance::smaller_root(self.a, self.b, &self.c))
     }
+
+    /// The distance at which a ray from inside comes out.
+    pub(super) fn exit(self) -> Option<Distance> {
+        if (&self.b.squared() - &(&self.a * &self.c)).sign() == Sign::Negative {
+            // Rounding has put the start outside, and the line past the ball.
+            return Some(Distance::quotient(self.b, self.a));
+        }
+        Some(Distance::larger_root(self.a, self.b, &self.c))
+    }
+
+    /// The distance at which a ray that starts on the surface, `c = 0`, comes out.
+    pub(super) fn whole(self) -> Option<Distance> {
+        Some(Distance::quotient(&self.b + &self.b, self.a))
+    }
 }
 
-/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; `way` leads
-/// there from the centre, and `exact` is its scalar product with the line's direction.
+/// The sign of `|origin|² − r²`: negative inside of a ball; `None` where rounding leaves doubt.
+///
+/// `size` and `origin` are as for a [`Chord`]; `rounding` bounds how far the origin can be from
+/// where it ought to be.
+pub(super) fn side_of_ball(origin: DVec3, size: f64, rounding: f64, radius: f64) -> Option<Sign> {
+    let (squared, radius_squared) = (origin.length_squared(), radius * radius);
+    let doubt = of_squares(
+        squared + radius_squared,
+        ROUNDINGS * size + rounding,
+        radius,
+    );
+    let height = squared - radius_squared;
+    (height.abs() > doubt).then(|| Sign::of(height))
+}
+
+/// How far at most the difference of `x²` and `r²` is from the exact one, if their sum is this and
+/// `x` is off by `doubt` at most.
+#[inline(always)]
+fn of_squares(squares: f64, doubt: f64, radius: f64) -> f64 {
+    // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r.
+    doubt * (squares / radius + doubt) + 5.0 * UNIT * squares
+}
+
+/// A distance that is known to be above zero.
+fn above_zero(t: f64) -> f64 {
+    t.max(f64::from_bits(1))
+}
+
+/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; the sum of
+/// `parts` leads there from the centre, and `exact` is its scalar product with the line's direction.
 #[inline]
-pub(super) fn is_beyond(way: DVec3, dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
-    // One rounding in `way` and, in the space of an ellipsoid, two in both; a product and two sums.
-    const ROUNDINGS: f64 = 8.0 * UNIT;
-    let along = way.dot(dir);
-    if along.abs() > ROUNDINGS * way.abs().dot(dir.abs()) + UNDERFLOW {
+pub(super) fn is_beyond(parts: [DVec3; 2], dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
+    // Two roundings in the way and, in the space of an ellipsoid, two in both; a product and two
+    // sums.
+    const ROUNDINGS: f64 = 9.0 * UNIT;
+    let [near, far] = parts;
+    let along = (near + far).dot(dir);
+    if along.abs() > ROUNDINGS * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
         return along > 0.0;
     }
     let along = exact();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::language::{Attribute, Default, Location, Node, Reference, Takes};
 use crate::material::Material;
+use crate::math::Rgb;
 
 /// A surface's name, material, and part in shadows.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +55,25 @@ impl Common {
             ]),
     ];
 
+    /// What a surface has that answers no light: a material without colour.
+    #[must_use]
+    pub fn black(name: Option<String>, location: Option<Location>) -> Self {
+        let material = Material {
+            name: String::new(),
+            ambient: Rgb::BLACK,
+            diffuse: Rgb::BLACK,
+            specular: Rgb::BLACK,
+            shininess: 0.0,
+            transparency: 0.0,
+            ior: None,
+        };
+        Self {
+            name,
+            location,
+            ..Self::new(Arc::new(material))
+        }
+    }
+
     /// A surface of this material without a name.
     #[must_use]
     pub fn new(material: Arc<Material>) -> Self {
@@ -69,6 +89,10 @@ impl Common {
     #[must_use]
     pub fn describe(&self, mut node: Node) -> Node {
         node.name.clone_from(&self.name);
+        if !node.schema.attributes.contains(&Self::ATTRIBUTES) {
+            // A lamp has neither material nor part in shadows.
+            return node;
+        }
         let geometry = std::mem::take(&mut node.attributes);
         let mut node = node.with("material", self.material.name.as_str());
         node.attributes.extend(geometry);

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic, is_beyond};
+use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
@@ -106,42 +107,6 @@ impl Ellipsoid {
         })
     }
 
-    /// From the space of the ellipsoid to that of the unit sphere.
-    #[inline]
-    fn shrunk(&self, vector: DVec3) -> DVec3 {
-        vector * self.shrink
-    }
-
-    /// The distance at which a ray enters, and its error.
-    #[inline(always)]
-    fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
-        let origin = self.shrunk(ray.origin.from(self.center));
-        let dir = self.shrunk(ray.dir);
-        let (size, astray) = (ray.size() + self.size, ray.astray * self.most_shrink);
-        let chord = Chord::new(
-            origin,
-            size * self.most_shrink,
-            dir,
-            dir.length_squared(),
-            1.0,
-        )?;
-        chord.entry(astray, || self.equation(ray))
-    }
-
-    /// The equation of the distances at which a ray meets the ellipsoid, multiplied by all three
-    /// axes squared, since exact numbers are not divided.
-    fn equation(&self, ray: &Ray) -> Quadratic {
-        let stretch = ExactVector::from(self.axes).products_of_others();
-        let origin = ray.origin.exactly_from(self.center).scaled(&stretch);
-        let dir = ExactVector::from(ray.dir).scaled(&stretch);
-        Quadratic {
-            a: dir.dot(&dir),
-            b: -&origin.dot(&dir),
-            c: &origin.dot(&origin) - &self.exact_volume().squared(),
-            rounding: ray.rounding() / self.axes.min_element(),
-        }
-    }
-
     /// The product of the three axes.
     fn exact_volume(&self) -> Exact {
         let [x, y, z] = self.axes.to_array().map(Exact::from);
@@ -154,13 +119,60 @@ impl Ellipsoid {
     }
 }
 
+impl Round for Ellipsoid {
+    fn center_and_axes(&self) -> [DVec3; 2] {
+        [self.center, self.axes]
+    }
+
+    fn ball_radius(&self) -> f64 {
+        1.0
+    }
+
+    #[inline(always)]
+    fn in_ball(&self, vector: DVec3) -> DVec3 {
+        vector * self.shrink
+    }
+
+    fn most_stretch(&self) -> f64 {
+        self.most_shrink
+    }
+
+    /// Multiplied by all three axes squared, since exact numbers are not divided.
+    fn equation(&self, ray: &Ray) -> Quadratic {
+        let stretch = ExactVector::from(self.axes).products_of_others();
+        let origin = ray.origin.exactly_from(self.center).scaled(&stretch);
+        let dir = ExactVector::from(ray.dir).scaled(&stretch);
+        Quadratic {
+            a: dir.dot(&dir),
+            b: -&origin.dot(&dir),
+            c: &origin.dot(&origin) - &self.exact_volume().squared(),
+            rounding: ray.rounding() / self.axes.min_element(),
+        }
+    }
+
+    #[inline(always)]
+    fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let origin = self.in_ball(ray.origin.from(self.center));
+        let dir = self.in_ball(ray.dir);
+        let (size, astray) = (ray.size() + self.size, ray.astray * self.most_shrink);
+        let chord = Chord::new(
+            origin,
+            size * self.most_shrink,
+            dir,
+            dir.length_squared(),
+            1.0,
+        )?;
+        chord.entry(astray, || self.equation(ray))
+    }
+}
+
 impl Surface for Ellipsoid {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         // In the space where the ellipsoid is the unit sphere.
         let (t, error) = self
-            .entry(ray)
+            .meeting(ray)
             .filter(|(t, error)| span.admits(*t, *error))?;
-        let on_sphere = direction(self.shrunk(ray.origin.from(self.center) + ray.dir * t));
+        let on_sphere = direction(self.in_ball(ray.origin.from(self.center) + ray.dir * t));
         let point = Point {
             anchor: self.center,
             offset: on_sphere * self.axes,
@@ -196,7 +208,7 @@ impl Surface for Ellipsoid {
     }
 
     fn round(&self) -> Option<[DVec3; 2]> {
-        Some([self.center, self.axes])
+        Some(self.center_and_axes())
     }
 
     fn bounds(&self) -> Option<Bounds> {
@@ -217,22 +229,25 @@ impl Surface for Ellipsoid {
     }
 
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.equation(ray).entry()
+        self.exact_meeting(ray)
     }
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        if let Some(passes) = self.lets_out(segment, end) {
+            return passes;
+        }
         let Some((t, _)) = self.entry(&segment.ray) else {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
-        let (way, dir) = (segment.end - self.center, segment.ray.dir);
+        let (parts, dir) = (segment.end.parts_from(self.center), segment.ray.dir);
         let exact = || {
             let stretch = ExactVector::from(self.axes).products_of_others();
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             let dir = ExactVector::from(dir).scaled(&stretch);
             way.scaled(&stretch).dot(&dir)
         };
-        let beyond = || is_beyond(self.shrunk(way), self.shrunk(dir), exact);
+        let beyond = || is_beyond(parts.map(|part| self.in_ball(part)), self.in_ball(dir), exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

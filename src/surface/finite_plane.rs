@@ -144,6 +144,10 @@ impl Surface for FinitePlane {
         self.rectangle.borders().to_vec()
     }
 
+    fn slack(&self) -> f64 {
+        self.rectangle.slack()
+    }
+
     fn blueprint(&self) -> Option<Blueprint> {
         let Rectangle { flat, size, .. } = self.rectangle;
         let (normal, xdir) = (self.given_normal, self.given_xdir);

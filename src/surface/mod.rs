@@ -5,6 +5,7 @@ mod chord;
 pub mod classic;
 mod common;
 mod globe;
+mod inside;
 mod weld;
 
 use std::fmt;
@@ -41,6 +42,7 @@ surfaces! {
     sphere: Sphere,
     ellipsoid: Ellipsoid,
     triangle: Triangle,
+    lamp: Lamp,
 }
 
 /// Something a ray can hit, with the colours it shows there.
@@ -93,6 +95,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
         self.flat().map_or(Side::Front, |flat| flat.side(point))
     }
 
+    /// The lamp that the surface is, if it shines.
+    fn lamp(&self) -> Option<&Lamp> {
+        None
+    }
+
     /// The surface in plain numbers, from which [`classic`] makes it anew; a surface without one
     /// is always asked itself.
     fn anatomy(&self) -> Option<Anatomy<'_>> {
@@ -109,7 +116,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// The distance at which a ray meets the surface, exactly: for hits whose order is in doubt.
     ///
-    /// `None` if the surface has no exact arithmetic; such hits are ordered as computed.
+    /// `None` if the surface has no exact arithmetic; such hits are ordered as computed, and the
+    /// surface must have no [`bounds`](Self::bounds).
     fn exact_distance(&self, _ray: &Ray) -> Option<Distance> {
         None
     }
@@ -122,6 +130,12 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The lines that decide the borders of a flat surface, in the order of its blueprint.
     fn borders(&self) -> Vec<Line> {
         Vec::new()
+    }
+
+    /// How far at most the lines that decide its borders lie from those between its corners, and from
+    /// its plane.
+    fn slack(&self) -> f64 {
+        0.0
     }
 
     /// Takes over the plane and the border lines that a flat surface shares with others.

@@ -15,13 +15,15 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::chord::{Chord, Quadratic, is_beyond};
+use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::exact::{Distance, Exact, ExactVector};
-use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
+use crate::math::band::UNDERFLOW;
+use crate::math::exact::{Distance, Exact, ExactVector, Sign};
+use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
 use crate::texture::{Texture, TextureMap};
 
-/// A sphere, seen and lit from outside.
+/// A sphere, lit from outside, and seen from outside unless its material has an index of refraction.
 #[derive(Debug, Clone)]
 pub struct Sphere {
     common: Common,
@@ -83,8 +85,23 @@ impl Sphere {
     }
 }
 
-impl Sphere {
-    /// The equation of the distances at which a ray meets the sphere.
+impl Round for Sphere {
+    fn center_and_axes(&self) -> [DVec3; 2] {
+        [self.center, DVec3::splat(self.radius)]
+    }
+
+    fn ball_radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn in_ball(&self, vector: DVec3) -> DVec3 {
+        vector
+    }
+
+    fn most_stretch(&self) -> f64 {
+        1.0
+    }
+
     fn equation(&self, ray: &Ray) -> Quadratic {
         let origin = ray.origin.exactly_from(self.center);
         let dir = ExactVector::from(ray.dir);
@@ -96,7 +113,6 @@ impl Sphere {
         }
     }
 
-    /// The distance at which a ray enters, and its error.
     #[inline(always)]
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = ray.origin.from(self.center);
@@ -105,10 +121,29 @@ impl Sphere {
     }
 }
 
+impl Sphere {
+    /// Its centre.
+    #[must_use]
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Its radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Adds the sphere's place and size to a node.
+    pub(super) fn describe_into(&self, node: Node) -> Node {
+        node.with("center", self.center).with("radius", self.radius)
+    }
+}
+
 impl Surface for Sphere {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         let (t, error) = self
-            .entry(ray)
+            .meeting(ray)
             .filter(|(t, error)| span.admits(*t, *error))?;
         let normal = direction(ray.origin.from(self.center) + ray.dir * t);
         // Pushed out radially onto the sphere, which the rounded point is not.
@@ -139,14 +174,12 @@ impl Surface for Sphere {
     }
 
     fn describe(&self) -> Node {
-        let node = Node::new(&Self::SCHEMA, None)
-            .with("center", self.center)
-            .with("radius", self.radius);
+        let node = self.describe_into(Node::new(&Self::SCHEMA, None));
         globe::describe(node, self.image.as_ref())
     }
 
     fn round(&self) -> Option<[DVec3; 2]> {
-        Some([self.center, DVec3::splat(self.radius)])
+        Some(self.center_and_axes())
     }
 
     fn bounds(&self) -> Option<Bounds> {
@@ -165,15 +198,25 @@ impl Surface for Sphere {
     }
 
     fn side(&self, point: &Point) -> Side {
+        // Two roundings in each component of the way, a product and two sums, and a difference.
+        const ROUNDINGS: f64 = 16.0 * UNIT;
+        let (way, size) = point.seen_from(self.center);
+        let height = way.length_squared() - self.radius * self.radius;
+        if height.abs() > ROUNDINGS * (size * size + self.radius * self.radius) + UNDERFLOW {
+            return Side::of(Sign::of(height));
+        }
         let way = point.exactly_from(self.center);
         Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
     }
 
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.equation(ray).entry()
+        self.exact_meeting(ray)
     }
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
+        if let Some(passes) = self.lets_out(segment, end) {
+            return passes;
+        }
         let Some((t, _)) = self.entry(&segment.ray) else {
             return false;
         };
@@ -181,10 +224,10 @@ impl Surface for Sphere {
         // place together with the whole sphere.
         let dir = segment.ray.dir;
         let exact = || {
-            let way = Point::exact(segment.end).exactly_from(self.center);
+            let way = segment.end.exactly_from(self.center);
             way.dot(&dir.into())
         };
-        let beyond = || is_beyond(segment.end - self.center, dir, exact);
+        let beyond = || is_beyond(segment.end.parts_from(self.center), dir, exact);
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

@@ -135,6 +135,10 @@ impl Surface for TexturePlane {
         self.plane.borders()
     }
 
+    fn slack(&self) -> f64 {
+        self.plane.slack()
+    }
+
     fn blueprint(&self) -> Option<Blueprint> {
         self.plane.blueprint()
     }

@@ -91,11 +91,10 @@ impl Triangle {
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
         let exactly = || {
-            let normal = self.flat.decisive_normal();
             let corners = || self.vertices.map(ExactVector::from).into();
-            inside_all(&self.borders, corners, ray, normal, crossing)
+            inside_all(&self.borders, corners, ray, &self.flat, crossing)
         };
-        if crossing.at_start.is_some() {
+        if crossing.is_delicate() {
             return exactly();
         }
         let mut certain = true;
@@ -169,6 +168,10 @@ impl Surface for Triangle {
         self.borders.to_vec()
     }
 
+    fn slack(&self) -> f64 {
+        self.slack
+    }
+
     fn blueprint(&self) -> Option<Blueprint> {
         Some(Blueprint::polygon(&self.vertices))
     }
@@ -185,7 +188,7 @@ impl Surface for Triangle {
             let Some(line) = line else { continue };
             *border = *line;
             for end in ends {
-                let apart = line.inward(&end.into(), self.flat.normal).abs();
+                let apart = line.apart(&end.into(), &self.flat);
                 self.slack = self.slack.max(apart.next_up());
             }
         }

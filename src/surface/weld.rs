@@ -1,7 +1,7 @@
 //! Planes and borders that surfaces share, found when a scene is loaded.
 
 use std::cmp::Ordering;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use dashu_ratio::RBig;
 use glam::DVec3;
@@ -121,104 +121,133 @@ fn order(a: &[DVec3; 2], b: &[DVec3; 2]) -> Ordering {
 
 /// The surfaces in each plane, in file order; the planes too.
 fn planes(blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
-    let mut directions: Vec<(RationalVector, Vec<Member>)> = Vec::new();
-    let mut known: HashMap<RationalVector, usize> = HashMap::new();
+    let mut directions = Directions::default();
     for (surface, blueprint) in blueprints.iter().enumerate() {
         let Some(blueprint) = blueprint else { continue };
         let (direction, turned) = blueprint.normal.canonical();
-        let (length, _) = direction.length();
-        let member = Member {
-            position: direction.dot(&blueprint.point) / length,
-            magnitude: blueprint.point.largest(),
-            single: direction.is_along_an_axis(),
-            surface,
-            border: 0,
-            forward: !turned,
-        };
-        put(&mut directions, &mut known, direction, member);
+        directions.put(direction, Member::new(surface, 0, !turned));
     }
-    grouped(directions)
+    directions.grouped(|direction, members| {
+        let (length, _) = direction.length();
+        for member in members {
+            let Some(blueprint) = &blueprints[member.surface] else {
+                continue;
+            };
+            member.position = direction.dot(&blueprint.point) / &length;
+            member.magnitude = blueprint.point.largest();
+            member.single = direction.is_along_an_axis();
+        }
+    })
 }
 
 /// The borders on each line of a plane, of surfaces on both sides of it or on one.
 fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
-    let mut directions = Vec::new();
-    let mut known = HashMap::new();
-    if plane.len() < 2 {
+    let mut directions = Directions::default();
+    let first = plane
+        .first()
+        .and_then(|one| blueprints[one.surface].as_ref());
+    let Some(first) = first.filter(|_| plane.len() > 1) else {
         return Vec::new();
-    }
+    };
     for one in plane {
         let Some(blueprint) = &blueprints[one.surface] else {
             continue;
         };
-        let (normal, _) = blueprint.normal.canonical();
         for (border, line) in blueprint.borders.iter().enumerate() {
             let (direction, turned) = line.along.canonical();
             // Seen along the shared normal, the outer side is to the left of a border, and to the
             // right if its surface faces the other way or the shared direction is turned.
             let forward = turned != one.forward;
-            let (outer, flipped) = normal.cross(&direction).canonical();
-            let (length, _) = outer.length();
-            let outward = if forward == flipped { -1 } else { 1 };
-            let across = &line.across * RBig::from(outward);
-            let member = Member {
-                position: outer.dot(&line.point) / length + &across,
-                magnitude: line.point.largest() + across.to_f64().value().abs(),
-                single: outer.is_along_an_axis() && across.is_zero(),
-                surface: one.surface,
-                border,
-                forward,
-            };
-            put(&mut directions, &mut known, direction, member);
+            directions.put(direction, Member::new(one.surface, border, forward));
         }
     }
-    grouped(directions)
-}
-
-fn put(
-    directions: &mut Vec<(RationalVector, Vec<Member>)>,
-    known: &mut HashMap<RationalVector, usize>,
-    direction: RationalVector,
-    member: Member,
-) {
-    let index = *known.entry(direction.clone()).or_insert_with(|| {
-        directions.push((direction, Vec::new()));
-        directions.len() - 1
-    });
-    directions[index].1.push(member);
-}
-
-/// The members of each direction, cut into groups of one position each.
-fn grouped(directions: Vec<(RationalVector, Vec<Member>)>) -> Vec<Vec<Member>> {
-    let mut groups: Vec<Vec<Member>> = Vec::new();
-    for (_, mut members) in directions {
-        members.sort_by(|a, b| a.position.cmp(&b.position));
-        let start = groups.len();
+    let (normal, _) = first.normal.canonical();
+    directions.grouped(|direction, members| {
+        let (outer, flipped) = normal.cross(direction).canonical();
+        let (length, _) = outer.length();
         for member in members {
-            let own = groups.get(start..).and_then(<[_]>::last);
-            if own.is_some_and(|group| member.belongs_to(group))
-                && let Some(group) = groups.last_mut()
+            let Some(blueprint) = &blueprints[member.surface] else {
+                continue;
+            };
+            let line = &blueprint.borders[member.border];
+            let outward = if member.forward == flipped { -1 } else { 1 };
+            let across = &line.across * RBig::from(outward);
+            member.position = outer.dot(&line.point) / &length + &across;
+            member.magnitude = line.point.largest() + across.to_f64().value().abs();
+            member.single = outer.is_along_an_axis() && across.is_zero();
+        }
+    })
+}
+
+/// Members by the directions that they share, in the order in which those appear.
+#[derive(Debug, Default)]
+struct Directions {
+    all: Vec<(RationalVector, Vec<Member>)>,
+    known: HashMap<RationalVector, usize>,
+}
+
+impl Directions {
+    fn put(&mut self, direction: RationalVector, member: Member) {
+        let index = *self.known.entry(direction.clone()).or_insert_with(|| {
+            self.all.push((direction, Vec::new()));
+            self.all.len() - 1
+        });
+        self.all[index].1.push(member);
+    }
+
+    /// The members of each direction, cut into groups of one position each; `place` gives them their
+    /// positions, where there is more than one surface.
+    ///
+    /// A group has no two borders of a surface that it is on either side of.
+    fn grouped(self, place: impl Fn(&RationalVector, &mut [Member])) -> Vec<Vec<Member>> {
+        let mut groups: Vec<Vec<Member>> = Vec::new();
+        for (direction, mut members) in self.all {
+            if members
+                .iter()
+                .all(|member| member.surface == members[0].surface)
             {
-                group.push(member);
-            } else {
-                groups.push(vec![member]);
+                groups.extend(members.into_iter().map(|alone| vec![alone]));
+                continue;
+            }
+            place(&direction, &mut members);
+            members.sort_by(|a, b| a.position.cmp(&b.position));
+            let start = groups.len();
+            let mut in_group = HashSet::new();
+            for member in members {
+                let last = groups.get_mut(start..).and_then(<[_]>::last_mut);
+                // The first lies lowest, so no other is further off.
+                let group = last.filter(|group| {
+                    group.first().is_some_and(|first| first.is_at(&member))
+                        && !in_group.contains(&(member.surface, !member.forward))
+                });
+                if group.is_none() {
+                    in_group.clear();
+                }
+                in_group.insert((member.surface, member.forward));
+                match group {
+                    Some(group) => group.push(member),
+                    None => groups.push(vec![member]),
+                }
+            }
+            for group in &mut groups[start..] {
+                group.sort_by_key(|member| (member.surface, member.border));
             }
         }
-        for group in &mut groups[start..] {
-            group.sort_by_key(|member| (member.surface, member.border));
-        }
+        groups
     }
-    groups
 }
 
 impl Member {
-    /// Whether a member that lies no lower belongs to a group: if it is where all of the group
-    /// are, and is not the other border of a surface that has one there.
-    fn belongs_to(&self, group: &[Self]) -> bool {
-        let own_other_side =
-            |other: &Self| other.surface == self.surface && other.forward != self.forward;
-        // The first lies lowest, so no other is further off.
-        group.first().is_some_and(|first| first.is_at(self)) && !group.iter().any(own_other_side)
+    /// A member whose position is not known yet.
+    fn new(surface: usize, border: usize, forward: bool) -> Self {
+        Self {
+            position: RBig::ZERO,
+            magnitude: 0.0,
+            single: false,
+            surface,
+            border,
+            forward,
+        }
     }
 
     /// Whether another member, of the same direction, has the same position.

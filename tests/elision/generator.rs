@@ -24,8 +24,9 @@ pub(crate) fn scene(seed: u64) -> String {
     maker.text
 }
 
-const NAMES: [&str; 8] = [
-    "chalk", "silver", "mirror", "pane", "gloss", "glow", "black", "tinted",
+const NAMES: [&str; 11] = [
+    "chalk", "silver", "mirror", "pane", "gloss", "glow", "black", "tinted", "glass", "varnish",
+    "air",
 ];
 
 struct Maker {
@@ -102,7 +103,10 @@ material "pane" { ambient 0.1; diffuse 1 2 1; transparency 0.7 }
 material "gloss" { diffuse 3 1 1; specular 0.3; shininess 12 }
 material "glow" { ambient 1 0.8 0.3 }
 material "black" { specular 0; shininess 5; diffuse 0 }
-material "tinted" { diffuse 0 3 1; transparency 0.5; specular 0.4; shininess 3 }"#,
+material "tinted" { diffuse 0 3 1; transparency 0.5; specular 0.4; shininess 3 }
+material "glass" { ambient 0.1; diffuse 2 3 3; transparency 0.9; specular 0.3; shininess 9; ior 1.5 }
+material "varnish" { ambient 0.1; diffuse 2 1 1; ior 1.4 }
+material "air" { diffuse 1; transparency 1; ior 1 }"#,
         );
     }
 

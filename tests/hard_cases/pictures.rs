@@ -1,5 +1,6 @@
 //! Questions about whole pictures.
 
+use heliodon::accel::Accelerator;
 use heliodon::film::Film;
 use heliodon::math::Rgb;
 
@@ -139,6 +140,15 @@ pub(crate) fn unchanged(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
             &original,
             &format!("the picture on {threads} threads"),
         )?;
+    }
+    for word in node.get("found-by").unwrap_or_default().split_whitespace() {
+        let accelerator = match word {
+            "list" => Accelerator::List,
+            "tree" => Accelerator::Tree,
+            other => panic!("surfaces are not found by a {other}"),
+        };
+        let film = subject.picture_by(accelerator)?;
+        same(&film, &original, &format!("the picture by a {word}"))?;
     }
     Ok(())
 }

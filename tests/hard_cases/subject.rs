@@ -1,12 +1,13 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
-use heliodon::accel::SurfaceList;
+use heliodon::accel::{Accelerator, Entry, SurfaceList};
 use heliodon::film::{Film, Rounding};
 use heliodon::language::{Node, render_problems};
-use heliodon::math::{Departure, Flat, Numerics, Point, Ray, Span, Support, unit};
+use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
+use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, Rejection, read_bytes};
-use heliodon::render::{Counts, render};
+use heliodon::render::{Counts, drawn, render};
 use heliodon::scene::Scene;
 use heliodon::surface::{Hit, Surface, classic};
 
@@ -36,7 +37,7 @@ impl BackEnd {
         }
     }
 
-    fn numerics(self) -> Numerics {
+    pub(crate) fn numerics(self) -> Numerics {
         match self {
             Self::Robust => Numerics::Robust,
             Self::Classic => Numerics::Classic,
@@ -74,8 +75,7 @@ pub(crate) struct Refused {
 /// Where a ray first meets a surface.
 #[derive(Debug)]
 pub(crate) struct Met {
-    surface: &'static dyn Surface,
-    sheet: (Option<Support>, Option<&'static Flat>),
+    entry: Entry<'static>,
     hit: Hit,
 }
 
@@ -84,6 +84,8 @@ pub(crate) struct Met {
 pub(crate) struct Stage {
     surfaces: &'static [Box<dyn Surface>],
     list: SurfaceList<'static>,
+    /// The same surfaces in a tree of boxes, if the numerics allow for it.
+    tree: Option<SurfaceList<'static>>,
 }
 
 impl Subject {
@@ -130,8 +132,10 @@ impl Subject {
     pub(crate) fn stage(&self) -> Stage {
         Stage {
             surfaces: self.surfaces,
+            tree: (self.numerics == Numerics::Robust)
+                .then(|| SurfaceList::with(self.surfaces, Accelerator::Tree)),
             list: match self.numerics {
-                Numerics::Robust => SurfaceList::new(self.surfaces),
+                Numerics::Robust => SurfaceList::with(self.surfaces, Accelerator::List),
                 Numerics::Classic | Numerics::ClassicF32 => {
                     SurfaceList::without_sheets(self.surfaces)
                 }
@@ -142,6 +146,20 @@ impl Subject {
     /// The picture, and how many rays it took.
     pub(crate) fn picture(&self) -> Result<(Film, Counts), String> {
         render(self.scene, &|_| ()).map_err(|refusal| refusal.reason.to_string())
+    }
+
+    /// The picture with surfaces found in this way, and nothing left out.
+    pub(crate) fn picture_by(&self, accelerator: Accelerator) -> Result<Film, String> {
+        let classic = classic::surfaces(&self.scene.surfaces, self.numerics);
+        Plan::with(
+            self.scene,
+            classic.as_deref(),
+            Scope::Everything,
+            accelerator,
+        )
+        .and_then(|plan| drawn::<Counts>(&plan, &|_| ()))
+        .map(|(film, _)| film)
+        .map_err(|refusal| refusal.reason.to_string())
     }
 }
 
@@ -171,12 +189,15 @@ pub(crate) fn code(intensity: f64) -> u16 {
 impl Stage {
     /// The surface that a ray meets first.
     pub(crate) fn first(&self, ray: &Ray<'static>) -> Option<Met> {
-        let (entry, hit) = self.list.nearest(ray, Span::AHEAD, &mut 0)?;
-        Some(Met {
-            surface: entry.surface,
-            sheet: entry.sheet(),
-            hit,
-        })
+        let found = self.list.nearest(ray, Span::AHEAD, &mut 0);
+        if let Some(tree) = &self.tree {
+            let of_list = found.map(|(entry, hit)| (entry.index, hit));
+            let of_tree = tree.nearest(ray, Span::AHEAD, &mut 0);
+            let of_tree = of_tree.map(|(entry, hit)| (entry.index, hit));
+            assert_eq!(of_tree, of_list, "the tree and the list differ");
+        }
+        let (entry, hit) = found?;
+        Some(Met { entry: *entry, hit })
     }
 
     /// The names of all surfaces that a ray meets, each asked by itself.
@@ -196,7 +217,7 @@ fn name(surface: &dyn Surface) -> &str {
 impl Met {
     /// The surface's name.
     pub(crate) fn name(&self) -> &str {
-        name(self.surface)
+        name(self.entry.surface)
     }
 
     /// The distance.
@@ -211,7 +232,7 @@ impl Met {
 
     /// The ambient colour.
     pub(crate) fn color(&self) -> [f64; 3] {
-        self.surface.getamb(&self.hit).channels()
+        self.entry.surface.getamb(&self.hit).channels()
     }
 
     /// Column and row of the texel, in the textures of the suite.
@@ -224,7 +245,7 @@ impl Met {
     pub(crate) fn mirrored(&self, ray: &Ray<'static>) -> Ray<'static> {
         let direction = ray.mirrored(self.hit.normal);
         let arriving: &'static Ray<'static> = Box::leak(Box::new(*ray));
-        let departure = Departure::new(self.sheet, arriving, self.hit.point, self.hit.error);
+        let departure = self.entry.departure(arriving, &self.hit);
         Ray::leaving(Box::leak(Box::new(departure)), direction)
     }
 }

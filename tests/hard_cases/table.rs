@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::cases::{Case, Node};
 use crate::rays::Answer;
 use crate::subject::BackEnd;
-use crate::{aimed, loading, pictures, rays};
+use crate::{aimed, loading, pictures, pile, rays};
 
 /// How a case ended under a back end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,6 +65,7 @@ fn answer(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
     let subject = || pictures::subject(node, case, back_end);
     match node.word.as_str() {
         "ray" => rays::single(node, &subject()?),
+        "pile" => pile::pile(node, back_end),
         "path" => rays::path(node, &subject()?),
         "aimed" => aimed::aimed(node, &subject()?),
         "look" => pictures::look(node, case, back_end),
@@ -120,6 +121,7 @@ pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2
                 &["at", "from", "along"],
             ],
         ),
+        ("pile", [&["count"], &[]]),
         ("look", [&["in", "lit", "up"], &[]]),
         (
             "picture",
@@ -142,7 +144,9 @@ pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2
         (
             "unchanged",
             [
-                &["in", "scaled", "moved", "zeros", "split", "into", "threads"],
+                &[
+                    "in", "scaled", "moved", "zeros", "split", "into", "threads", "found-by",
+                ],
                 &[],
             ],
         ),

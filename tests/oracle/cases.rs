@@ -21,6 +21,7 @@ pub(crate) fn common() -> Common {
         specular: Rgb::WHITE,
         shininess: 0.0,
         transparency: 0.5,
+        ior: None,
     };
     Common::new(Arc::new(material))
 }

@@ -1,6 +1,6 @@
 //! Neighbours share their seams, and rooms are closed.
 
-use heliodon::accel::SurfaceList;
+use heliodon::accel::{Accelerator, SurfaceList};
 
 use super::equality::{SEED, cases, verdict};
 use super::floors::Floor;
@@ -10,6 +10,11 @@ use super::tally::Tally;
 
 /// Rays for each scene.
 const EACH: u64 = 100;
+
+/// Every other scene is asked through a tree.
+fn either(scene: u64) -> Accelerator {
+    [Accelerator::List, Accelerator::Tree][(scene % 2) as usize]
+}
 
 #[test]
 fn a_ray_at_a_seam_meets_exactly_one_tile() {
@@ -42,7 +47,7 @@ fn no_ray_leaves_a_closed_room() {
         for scene in 0..cases().div_ceil(EACH) {
             let mut random = Random::of(SEED, scene);
             let room = make(&mut random, 1.0);
-            let list = SurfaceList::new(&room.surfaces);
+            let list = SurfaceList::with(&room.surfaces, either(scene));
             for _ in 0..EACH {
                 tally.observe_within(|tally| room.ask(&list, &mut random, tally));
             }
@@ -65,7 +70,7 @@ fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
         for scene in 0..cases().div_ceil(100) {
             let mut random = Random::of(SEED, scene);
             let room = make(&mut random);
-            let list = SurfaceList::new(&room.surfaces);
+            let list = SurfaceList::with(&room.surfaces, either(scene));
             tally.observe_within(|tally| {
                 for _ in 0..20 {
                     room.follow(&list, &mut random, BOUNCES, tally);
@@ -82,7 +87,7 @@ fn no_ray_leaves_through_the_corner_that_it_starts_in() {
     for scene in 0..cases().div_ceil(EACH) {
         let mut random = Random::of(SEED, scene);
         let room = Room::of_rectangles(&mut random, 1.0);
-        let list = SurfaceList::new(&room.surfaces);
+        let list = SurfaceList::with(&room.surfaces, either(scene));
         for _ in 0..EACH {
             tally.observe_within(|tally| room.ask_in_corner(&list, &mut random, tally));
         }

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use glam::DVec3;
-use heliodon::accel::SurfaceList;
-use heliodon::math::{Departure, Point, Ray, Segment, Side, Span};
-use heliodon::surface::Surface;
+use glam::{DVec2, DVec3};
+use heliodon::accel::{Accelerator, LightView, SurfaceList};
+use heliodon::math::{Departure, Point, Ray, Rgb, Segment, Side, Span};
+use heliodon::surface::{Hit, Surface};
 
 use super::cases::{self, Boxed};
 use super::random::Random;
@@ -42,6 +42,19 @@ pub(crate) fn meeting(random: &mut Random, tallies: &mut Tallies, shares: Shares
     let surface = cases::surface(random, style, scale);
     let (ray, aimed) = cases::ray(random, &*surface, style, scale);
     check_meeting(&*surface, &ray, tallies.of(aimed), shares);
+    check_tree(&[surface], &ray, tallies.of(aimed));
+}
+
+/// A tree of boxes never leaves out what is met: it finds what a list does.
+fn check_tree(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
+    let found = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
+        let list = SurfaceList::with(surfaces, accelerator);
+        let found = list.nearest(ray, Span::AHEAD, &mut 0);
+        found.map(|(entry, hit)| (entry.index, hit))
+    });
+    if found[0] != found[1] {
+        tally.wrong(|| format!("the tree loses {ray:?} and {surfaces:?}"));
+    }
 }
 
 /// Compares one ray and one surface.
@@ -136,6 +149,7 @@ fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
             exact = Some((index, distance));
         }
     }
+    check_tree(surfaces, ray, tally);
     let list = SurfaceList::new(surfaces);
     let decided = tally.observe(|| {
         list.nearest(ray, Span::AHEAD, &mut 0)
@@ -189,6 +203,24 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     tally.compare(&decided, &exact, exact, || {
         format!("{segment:?} and {surface:?}")
     });
+    let surfaces = [surface];
+    // Of the hit nothing counts where all casters are asked.
+    let hit = Hit {
+        t: 1.0,
+        error: 0.0,
+        point: ray.origin,
+        normal: DVec3::Z,
+        uv: DVec2::ZERO,
+        texel: Rgb::WHITE,
+    };
+    let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
+        let list = SurfaceList::with(&surfaces, accelerator);
+        let view = LightView::all(&list, std::iter::once(end), false).remove(0);
+        view.transmittance(&list.entries()[0], &hit, &segment, &mut 0)
+    });
+    if passed[0] != passed[1] {
+        tally.wrong(|| format!("the tree loses the shadow of {segment:?} and {surfaces:?}"));
+    }
 }
 
 /// A surface that is decided by the plane and the line of a neighbour, which lie as far away as
@@ -208,12 +240,13 @@ pub(crate) fn welded(random: &mut Random, tallies: &mut Tallies) {
         format!("{:?} and {surface:?}", ray.origin)
     });
     check_meeting(&*surface, &ray, tally, &mut |_, _| ());
+    check_tree(&[surface], &ray, tally);
 }
 
 /// Whether the surface hides the ends of a segment from each other; `None` where the start is too
 /// close to tell.
 fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {
-    let (start, end) = (segment.ray.origin, Point::exact(segment.end));
+    let (start, end) = (segment.ray.origin, segment.end);
     let Some(flat) = surface.flat() else {
         return hides_behind_round(surface, segment, rounding);
     };
@@ -246,10 +279,10 @@ fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -
     if near != Ordering::Greater {
         return None;
     }
-    let end = Vector::of(segment.end)
+    let end = Vector::to(&segment.end)
         .minus(&Vector::of(center))
         .over(axes);
-    let inside = truth::side_of_round(center, axes, &Point::exact(segment.end)) < 0;
+    let inside = truth::side_of_round(center, axes, &segment.end) < 0;
     let beyond = sign(&end.dot(&Vector::of(segment.ray.dir).over(axes))) > 0;
     Some(inside || beyond)
 }

@@ -60,6 +60,8 @@ pub(crate) fn side(flat: &Flat, point: &Point) -> i8 {
 pub(crate) fn passes_inside(flat: &Flat, borders: &[Line], ray: &Ray) -> bool {
     let dir = Vector::of(ray.dir);
     let rise = Vector::of(flat.decisive_normal()).dot(&dir);
+    // Nearly along the plane, and decided where the ray crosses it.
+    let grazes = flat.decisive_normal().dot(ray.dir).abs() < 2f64.powi(-26);
     borders.iter().all(|border| {
         // The line at the place where the ray crosses the plane through the border's own point.
         let (from, normal) = (Vector::of(border.point), Vector::of(flat.decisive_normal()));
@@ -67,6 +69,12 @@ pub(crate) fn passes_inside(flat: &Flat, borders: &[Line], ray: &Ray) -> bool {
         let t = normal.dot(&from.minus(&origin)) / &rise;
         let place = origin.plus(&dir.times(&t));
         let along = Vector::of(border.dir).plus(&Vector::of(border.dir_rest));
+        if grazes {
+            let t = crosses(flat, ray).expect("the ray is not parallel");
+            let way = origin.plus(&dir.times(&t)).minus(&from);
+            let inward = sign(&(way.dot(&along.cross(&normal)) + number(border.across)));
+            return inward > 0 || inward == 0 && border.owned;
+        }
         let inward = place.minus(&from).dot(&along.cross(&dir)) + number(border.across) * &rise;
         let inward = sign(&inward) * sign(&rise);
         inward > 0 || inward == 0 && border.owned

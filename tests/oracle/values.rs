@@ -205,6 +205,7 @@ fn no_bound_is_smaller_than_its_proof() {
         rises: true,
         doubt: 0.0,
         at_start: None,
+        grazing: None,
     };
     let quotient = crossing(2f64.powi(100)).error(1.0);
     let flat = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
@@ -298,6 +299,7 @@ fn slope_bound() -> f64 {
         rises: true,
         doubt: 0.0,
         at_start: None,
+        grazing: None,
     };
     crossing.error(1.0) * slope
 }

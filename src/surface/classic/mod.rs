@@ -50,6 +50,7 @@ fn surface<T: Scalar>(surface: &dyn Surface) -> Box<dyn Surface + '_> {
     let Some(anatomy) = surface.anatomy() else {
         return Box::new(Other::<T>::of(surface));
     };
+    let entered = surface.common().material.is_entered();
     match anatomy.shape {
         Shape::Plane { point, normal } => {
             Classic::boxed(surface, &anatomy, flat::Plane::<T>::of(point, normal))
@@ -62,11 +63,13 @@ fn surface<T: Scalar>(surface: &dyn Surface) -> Box<dyn Surface + '_> {
             let triangle = triangle::Triangle::<T>::of(vertices, normal);
             Classic::boxed(surface, &anatomy, triangle)
         }
-        Shape::Sphere { center, radius } => {
-            Classic::boxed(surface, &anatomy, round::Sphere::<T>::of(center, radius))
-        }
+        Shape::Sphere { center, radius } => Classic::boxed(
+            surface,
+            &anatomy,
+            round::Sphere::<T>::of(center, radius, entered),
+        ),
         Shape::Ellipsoid { center, axes } => {
-            let ellipsoid = round::Ellipsoid::<T>::of(center, axes);
+            let ellipsoid = round::Ellipsoid::<T>::of(center, axes, entered);
             Classic::boxed(surface, &anatomy, ellipsoid)
         }
     }

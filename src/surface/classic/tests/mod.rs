@@ -21,6 +21,7 @@ fn material(name: &str, ambient: f64) -> Arc<Material> {
         specular: Rgb::BLACK,
         shininess: 0.0,
         transparency: 0.0,
+        ior: None,
     })
 }
 

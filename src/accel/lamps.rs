@@ -1,0 +1,197 @@
+//! What stands in the way of a lamp.
+
+use super::receivers::Body;
+use super::shields::{Shield, Stand};
+use super::{Entry, SurfaceList};
+use crate::math::{Ray, Rgb, Segment, Side, Support};
+use crate::surface::{Lamp, Surface};
+
+/// A scene's surfaces as one lamp has them before it.
+#[derive(Debug)]
+pub struct LampView<'a> {
+    /// The lamp.
+    pub lamp: &'a Lamp,
+    /// Everything that can cast a shadow, in file order.
+    casters: Vec<Caster<'a>>,
+    /// Lists of them, by their places, of which each serves one surface or more.
+    lists: Vec<Vec<usize>>,
+    /// For every surface which of the lists counts for it; `None` if nothing of the lamp is before
+    /// its plane, or nothing of it before the lamp's.
+    list_of: Vec<Option<usize>>,
+    /// Whether places are asked where the answer is known.
+    asks_all: bool,
+}
+
+/// A surface that can cast a shadow.
+#[derive(Debug)]
+struct Caster<'a> {
+    entry: Entry<'a>,
+    /// The side of the surface that all of the lamp is on, but for what touches it.
+    side: Option<Side>,
+    shield: Shield,
+    /// Whether nothing passes where it stands.
+    is_opaque: bool,
+}
+
+/// What may stand between a lamp and a place.
+#[derive(Debug)]
+pub enum Between<'v, 'a> {
+    /// Nothing.
+    Nothing,
+    /// Something that hides all of it.
+    Wall,
+    /// Some of these.
+    Some(Casters<'v, 'a>),
+}
+
+/// The surfaces that may stand between a lamp and a place.
+#[derive(Debug)]
+pub struct Casters<'v, 'a>(Vec<&'v Caster<'a>>);
+
+/// As for lights: of more surfaces, all share one list.
+const MOST_LISTS: usize = 128;
+
+impl<'a> LampView<'a> {
+    /// What the lamps of a scene have before them; `scene` are the surfaces as they were read, which
+    /// the list may have in another form.
+    ///
+    /// With `asks_all` nothing is left out that is known to hide nothing, or all: the answers are the
+    /// same, and take longer.
+    #[must_use]
+    pub fn all(
+        surfaces: &SurfaceList<'a>,
+        scene: &'a [Box<dyn Surface>],
+        asks_all: bool,
+    ) -> Vec<Self> {
+        let lamps = surfaces.entries().iter().zip(scene);
+        let mut lamps = lamps
+            .filter_map(|(entry, surface)| Some((entry, surface.lamp()?)))
+            .peekable();
+        if lamps.peek().is_none() {
+            return Vec::new();
+        }
+        let bodies: Vec<_> = surfaces.entries().iter().map(Body::of).collect();
+        lamps
+            .map(|(entry, lamp)| Self::new(surfaces, &bodies, (entry, lamp), asks_all))
+            .collect()
+    }
+
+    fn new(
+        surfaces: &SurfaceList<'a>,
+        bodies: &[Body],
+        (own, lamp): (&Entry<'a>, &'a Lamp),
+        asks_all: bool,
+    ) -> Self {
+        let body = Body::of_surface(lamp, own.support);
+        let corners = body.corners();
+        let others = surfaces.entries().iter().filter(|entry| {
+            entry.index != own.index
+                && !entry.lies_on(own.support)
+                && entry.surface.common().shadows.cast
+        });
+        let mut panes = Vec::new();
+        let casters = others.map(|entry| {
+            let is_opaque = entry.surface.common().material.transparency == 0.0;
+            // Behind a pane on the same sheet a wall does not count.
+            let is_first = !entry
+                .support
+                .is_some_and(|support| panes.contains(&support));
+            panes.extend(entry.support.filter(|_| !is_opaque));
+            let side = bodies[entry.index].side_of(&body);
+            let shield = Shield::new(entry.surface, lamp, &corners, side);
+            Caster {
+                entry: *entry,
+                side: side.or_else(|| shield.leaves_out_lamp().then_some(Side::Front)),
+                shield,
+                is_opaque: is_opaque && is_first,
+            }
+        });
+        let casters: Vec<_> = casters.collect();
+        let mut view = Self {
+            lamp,
+            lists: vec![(0..casters.len()).collect()],
+            list_of: vec![None; bodies.len()],
+            casters,
+            asks_all,
+        };
+        for (index, receiver) in bodies.iter().enumerate() {
+            if !(body.is_before(receiver) && receiver.is_before(&body)) {
+                continue;
+            }
+            view.list_of[index] = Some(0);
+            if !asks_all && bodies.len() <= MOST_LISTS {
+                view.list_of[index] = Some(view.lists.len());
+                let can_hide = |caster: &usize| {
+                    let caster = &bodies[view.casters[*caster].entry.index];
+                    caster.can_hide_lamp(&body, receiver)
+                };
+                let list = view.lists[0].iter().copied().filter(can_hide).collect();
+                view.lists.push(list);
+            }
+        }
+        view
+    }
+
+    /// Whether light from here can reach the front of a surface at all.
+    #[must_use]
+    pub fn lights(&self, entry: &Entry<'_>) -> bool {
+        self.list_of[entry.index].is_some()
+    }
+
+    /// What may stand between the lamp and a hit of a surface, from which `ray` starts.
+    ///
+    /// `is_open` says that nothing but surfaces ends a ray to the lamp.
+    #[must_use]
+    pub fn between(&self, entry: &Entry<'_>, ray: &Ray, is_open: bool) -> Between<'_, 'a> {
+        let list = self.list_of[entry.index].map_or(&[][..], |list| &self.lists[list]);
+        let left = ray.leaves();
+        let casters = list.iter().map(|index| &self.casters[*index]);
+        let mut doubtful = Vec::new();
+        for caster in casters.filter(|caster| !caster.entry.lies_on(left)) {
+            if self.asks_all {
+                doubtful.push(caster);
+                continue;
+            }
+            match caster.shield.stands(ray) {
+                Stand::Beside => {}
+                Stand::Before if caster.is_opaque && is_open => return Between::Wall,
+                Stand::Before | Stand::Doubtful => doubtful.push(caster),
+            }
+        }
+        if doubtful.is_empty() && !self.asks_all {
+            Between::Nothing
+        } else {
+            Between::Some(Casters(doubtful))
+        }
+    }
+}
+
+impl Casters<'_, '_> {
+    /// The share of light that passes along a segment to one place of the lamp; as
+    /// [`LightView::transmittance`](super::LightView::transmittance).
+    #[must_use]
+    pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
+        let mut passed = Rgb::WHITE;
+        let mut crossed: Vec<Support> = Vec::new();
+        for caster in &self.0 {
+            *tests += 1;
+            let Entry {
+                surface, support, ..
+            } = caster.entry;
+            let side = caster.side.unwrap_or_else(|| surface.side(&segment.end));
+            let is_known = support.is_some_and(|support| crossed.contains(&support));
+            if is_known || !surface.occludes(segment, side) {
+                continue;
+            }
+            if surface.common().material.transparency == 0.0 {
+                return Rgb::BLACK;
+            }
+            crossed.extend(support);
+            if let Some(hit) = surface.hits(&segment.ray, segment.span) {
+                let hit = surface.settle(hit, &segment.ray);
+                passed = passed * surface.transmits(&hit);
+            }
+        }
+        passed
+    }
+}

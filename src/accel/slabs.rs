@@ -1,0 +1,62 @@
+//! Which boxes a ray passes.
+
+use glam::DVec3;
+
+use crate::math::band::{GRAZING, SLAB};
+use crate::math::{Bounds, Ray};
+
+/// A ray made ready to be asked which boxes it passes, in coordinates from a tree's centre.
+///
+/// A box is the part of space between three pairs of faces, and a ray is between a pair from
+/// `(low − o)/d` to `(high − o)/d` (Kay and Kajiya 1986, "Ray Tracing Complex Scenes"). Each of these
+/// is off by what [`SLAB`] says, in units of the sum of all lengths that went into it: the numerator
+/// by its roundings, and the quotient by two more, which are as much as if the face were
+/// moved by two roundings of the numerator. So both faces are moved outward by that much, and then the
+/// exact ray is between the exact faces only while the rounded one is between the rounded. That sums,
+/// products and quotients are monotone under rounding makes a larger box one that is passed
+/// earlier, for longer, and by all rays that pass the smaller one.
+///
+/// A ray that leaves a surface may start as far from where it ought to as its `rounding`: a surface is
+/// met at the very start that begins within that, in its corners more; and it is met behind the
+/// start that the ray crosses there, if it has not crossed it before, which is the rounding divided by
+/// a slope that is [`GRAZING`] or more. (Of a ray with less, only what lies ahead counts.)
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slabs {
+    /// The origin as seen from the lower and from the higher faces, moved outward.
+    origin: [DVec3; 2],
+    /// One divided by the direction; never zero, infinite or undefined.
+    slowness: DVec3,
+    /// How far behind the start the ray begins: zero or less.
+    start: f64,
+}
+
+impl Slabs {
+    /// A ray among boxes none of which has a face further than `extent` from `center`.
+    pub(super) fn new(ray: &Ray, center: DVec3, extent: f64, sharpness: f64) -> Self {
+        let (origin, size) = ray.origin.seen_from(center);
+        let rounding = ray.rounding();
+        let doubt = SLAB * (size + extent);
+        let pad = DVec3::splat(doubt + 2.0 * sharpness * rounding);
+        let behind = if rounding > 0.0 {
+            (doubt + 2.0 * rounding) / GRAZING
+        } else {
+            0.0
+        };
+        Self {
+            origin: [origin + pad, origin - pad],
+            // The largest number stands for infinity, of which zero times is not a number.
+            slowness: ray.dir.recip().clamp(DVec3::MIN, DVec3::MAX),
+            start: -behind,
+        }
+    }
+
+    /// Where the ray enters a box; `None` if it passes by.
+    #[inline(always)]
+    pub(super) fn entry(&self, bounds: &Bounds) -> Option<f64> {
+        let low = (bounds.min - self.origin[0]) * self.slowness;
+        let high = (bounds.max - self.origin[1]) * self.slowness;
+        let enters = low.min(high).max_element();
+        let leaves = low.max(high).min_element();
+        (enters <= leaves && leaves >= self.start).then_some(enters)
+    }
+}

@@ -1,0 +1,210 @@
+//! How a tree of boxes is built.
+
+use glam::DVec3;
+
+use super::tree::{Content, Node};
+use crate::math::Bounds;
+
+/// A surface with its box.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Item {
+    pub(super) index: u32,
+    pub(super) bounds: Bounds,
+}
+
+/// The most boxes around a surface: 2³² halved to one leaf, beside the boxes before.
+pub(super) const DEEPEST: usize = HALVED + 33;
+
+/// From this depth on boxes are cut into halves of as many surfaces each. Smaller, and scenes with
+/// much detail in one place get bad trees; larger, and a walk needs more memory.
+const HALVED: usize = 32;
+
+/// The most surfaces for which cutting a box further is not considered.
+const FEW: usize = 2;
+
+/// Places at which a cut is considered, beside each other. Fewer, and trees get worse; more, and building
+/// takes longer.
+const BINS: usize = 16;
+
+/// What passing a box costs, in units of asking a surface.
+const COST_OF_BOX: f64 = 0.7;
+
+/// Boxes to be made: the place of the node, its items, and its depth.
+type Task = (usize, std::ops::Range<usize>, usize);
+
+/// The nodes of a tree, the root first; the items are put into the order of the leaves, and in a leaf they
+/// keep their own.
+///
+/// Cuts are chosen by the surface area heuristic, in bins along each axis (Wald 2007, "On fast
+/// Construction of SAH-based Bounding Volume Hierarchies").
+pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
+    let mut nodes = Vec::with_capacity(items.len());
+    if items.is_empty() {
+        return nodes;
+    }
+    nodes.push(leaf(items, 0..items.len()));
+    let mut tasks: Vec<Task> = vec![(0, 0..items.len(), 0)];
+    while let Some((place, range, depth)) = tasks.pop() {
+        let bounds = nodes[place].bounds;
+        let Some(left) = cut(&mut items[range.clone()], &bounds, depth) else {
+            items[range].sort_unstable_by_key(|item| item.index);
+            continue;
+        };
+        let middle = range.start + left;
+        let first = nodes.len();
+        for (next, part) in [range.start..middle, middle..range.end]
+            .into_iter()
+            .enumerate()
+        {
+            nodes.push(leaf(items, part.clone()));
+            tasks.push((first + next, part, depth + 1));
+        }
+        nodes[place].content = Content::Boxes(small(first));
+    }
+    nodes
+}
+
+fn leaf(items: &[Item], range: std::ops::Range<usize>) -> Node {
+    Node {
+        bounds: around(&items[range.clone()]),
+        content: Content::Surfaces(small(range.start), small(range.end)),
+    }
+}
+
+fn around(items: &[Item]) -> Bounds {
+    Bounds::around(
+        items
+            .iter()
+            .flat_map(|item| [item.bounds.min, item.bounds.max]),
+    )
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "no scene has 2^32 surfaces"
+)]
+fn small(place: usize) -> u32 {
+    place as u32
+}
+
+/// Cuts items into two parts and puts those of the first part in front; gives their number, or `None`
+/// if they are better left in one leaf.
+fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
+    if items.len() <= FEW {
+        return None;
+    }
+    let centers = Bounds::around(items.iter().map(Item::center));
+    let size = centers.max - centers.min;
+    // What lies in one place cannot be told apart by boxes.
+    if size.max_element() <= 0.0 {
+        return None;
+    }
+    if depth >= HALVED {
+        let axis = size.max_position();
+        let by_center = |a: &Item, b: &Item| {
+            let order = a.center()[axis].total_cmp(&b.center()[axis]);
+            order.then(a.index.cmp(&b.index))
+        };
+        let half = items.len() / 2;
+        items.select_nth_unstable_by(half, by_center);
+        return Some(half);
+    }
+    let (cost, axis, bin) = (0..3)
+        .filter(|axis| size[*axis] > 0.0)
+        .flat_map(|axis| costs(items, &centers, bounds, axis))
+        .min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let uncut = area(bounds, bounds) * (count(items.len()) - COST_OF_BOX);
+    if cost >= uncut && items.len() <= MOST {
+        return None;
+    }
+    let mut left = 0;
+    for index in 0..items.len() {
+        if items[index].bin(&centers, axis) < bin {
+            items.swap(left, index);
+            left += 1;
+        }
+    }
+    Some(left)
+}
+
+/// The most surfaces in a leaf, but for those in one place.
+const MOST: usize = 8;
+
+/// What asking the two parts costs, for each bin that the second part can begin with.
+fn costs(
+    items: &[Item],
+    centers: &Bounds,
+    whole: &Bounds,
+    axis: usize,
+) -> Vec<(f64, usize, usize)> {
+    let mut bins: [(usize, Option<Bounds>); BINS] = [(0, None); BINS];
+    for item in items {
+        let (number, bounds) = &mut bins[item.bin(centers, axis)];
+        *number += 1;
+        *bounds = Some(join(*bounds, item.bounds));
+    }
+    let below = sums(bins.iter(), whole);
+    let mut above = sums(bins.iter().rev(), whole);
+    above.reverse();
+    let parts = (1..BINS).filter(|bin| (1..items.len()).contains(&below[bin - 1].0));
+    parts
+        .map(|bin| (below[bin - 1].1 + above[bin].1, axis, bin))
+        .collect()
+}
+
+/// Of everything up to each bin: the number, and the area times the number.
+fn sums<'b>(
+    bins: impl Iterator<Item = &'b (usize, Option<Bounds>)>,
+    whole: &Bounds,
+) -> Vec<(usize, f64)> {
+    let mut sum: (usize, Option<Bounds>) = (0, None);
+    bins.map(|(number, bounds)| {
+        sum.0 += number;
+        sum.1 = bounds.map_or(sum.1, |bounds| Some(join(sum.1, bounds)));
+        let area = sum.1.map_or(0.0, |bounds| area(&bounds, whole));
+        (sum.0, area * count(sum.0))
+    })
+    .collect()
+}
+
+fn join(one: Option<Bounds>, other: Bounds) -> Bounds {
+    one.map_or(other, |one| Bounds {
+        min: one.min.min(other.min),
+        max: one.max.max(other.max),
+    })
+}
+
+/// Half of the surface of a box, in units of the longest side of the whole, squared.
+fn area(bounds: &Bounds, whole: &Bounds) -> f64 {
+    let unit = (whole.max - whole.min).max_element();
+    let DVec3 { x, y, z } = (bounds.max - bounds.min) / unit;
+    x * y + y * z + z * x
+}
+
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "numbers of surfaces are far below 2^53"
+)]
+fn count(number: usize) -> f64 {
+    number as f64
+}
+
+impl Item {
+    fn center(&self) -> DVec3 {
+        self.bounds.min.midpoint(self.bounds.max)
+    }
+
+    /// Which of the equal parts of an axis its centre lies in.
+    fn bin(&self, centers: &Bounds, axis: usize) -> usize {
+        let place = self.center()[axis] - centers.min[axis];
+        let share = place / (centers.max[axis] - centers.min[axis]);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_precision_loss,
+            clippy::cast_sign_loss,
+            reason = "a share from 0 to 1 of a few bins"
+        )]
+        let bin = (share * BINS as f64) as usize;
+        bin.min(BINS - 1)
+    }
+}

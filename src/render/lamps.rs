@@ -1,0 +1,131 @@
+//! The light of lamps.
+
+use glam::{DVec2, DVec3};
+use sobol_burley::sample;
+
+use crate::accel::{Between, Casters, Entry, LampView};
+use crate::math::{Departure, Point, Ray, Rgb, Segment};
+use crate::surface::Hit;
+
+use super::samples::scramble;
+use super::{Probe, RayKind, Tracer};
+
+/// A place that lamps light.
+#[derive(Debug)]
+struct Lit<'a> {
+    departure: &'a Departure<'a>,
+    point: Point,
+    normal: DVec3,
+    /// Which of the lamps lights it.
+    number: usize,
+    /// From what the places of lamps are chosen that it asks.
+    seed: u64,
+}
+
+impl Tracer<'_> {
+    /// What a surface sends back along a ray because of lamps: its own light if it is one, and what
+    /// it answers to that of others.
+    ///
+    /// `seed` tells apart the places that are seen in a picture, and depends on nothing else.
+    pub(super) fn lamplight(
+        &self,
+        ray: &Ray,
+        entry: &Entry<'_>,
+        departure: &Departure<'_>,
+        hit: &Hit,
+        seed: u64,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        if let Some(lamp) = self.plan.scene.surfaces[entry.index].lamp() {
+            return lamp.shows(ray);
+        }
+        let diffuse = entry.surface.getdiff(hit);
+        let mut color = Rgb::BLACK;
+        if diffuse.is_black() {
+            return color;
+        }
+        for (number, view) in self.plan.lamp_views.iter().enumerate() {
+            if !view.lights(entry) {
+                continue;
+            }
+            let arriving = view.lamp.form_factor(&hit.point, hit.normal);
+            if arriving == 0.0 {
+                continue;
+            }
+            let mut light = diffuse * view.lamp.emissivity() * arriving;
+            if entry.surface.common().shadows.receive {
+                let lit = Lit {
+                    departure,
+                    point: hit.point,
+                    normal: hit.normal,
+                    number,
+                    seed: scramble(seed).wrapping_add(number as u64),
+                };
+                light = light * self.share_of_lamp(entry, view, &lit, probe);
+            }
+            color = (color + light).saturated();
+        }
+        color
+    }
+
+    /// The share of a lamp's light that passes what stands in its way.
+    fn share_of_lamp(
+        &self,
+        entry: &Entry<'_>,
+        view: &LampView<'_>,
+        lit: &Lit<'_>,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let ray = Ray::leaving(lit.departure, lit.normal);
+        let casters = match view.between(entry, &ray, !self.plan.camera.has_screen()) {
+            Between::Nothing => return Rgb::WHITE,
+            Between::Wall => return Rgb::BLACK,
+            Between::Some(casters) => casters,
+        };
+        let (mut sent, mut passed) = (0.0, Rgb::BLACK);
+        for at in places(view.lamp.samples(), lit.seed) {
+            let (end, weight) = view.lamp.sample(&lit.point, lit.normal, at);
+            if weight > 0.0 {
+                sent += weight;
+                passed += self.passing(&casters, lit, end, probe) * weight;
+            }
+        }
+        // Where all passes, both are the same sum, and the share is 1 without rounding.
+        if sent > 0.0 {
+            passed / sent
+        } else {
+            // So little of the lamp is above the horizon that no sample is; its highest point is.
+            self.passing(&casters, lit, view.lamp.highest(lit.normal), probe)
+        }
+    }
+
+    /// The share of light that passes on the way to one point of a lamp.
+    fn passing(
+        &self,
+        casters: &Casters<'_, '_>,
+        lit: &Lit<'_>,
+        end: Point,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let Some(mut segment) = Segment::new(lit.departure, end) else {
+            return Rgb::WHITE;
+        };
+        segment.span = self.plan.camera.span(&segment.ray);
+        probe.ray(RayKind::Lamp, Rgb::WHITE);
+        let mut tests = 0;
+        let passed = casters.transmittance(&segment, &mut tests);
+        let lights = self.plan.scene.lights.len();
+        probe.occlusion_tests(lights + lit.number, tests);
+        passed
+    }
+}
+
+/// Places in a square of side 1: a Sobol sequence, of which any two halves, quarters and so on are
+/// spread evenly (Sobol 1967), scrambled by the seed (Owen 1995, as hashes by Burley 2020,
+/// "Practical Hash-based Owen Scrambling").
+fn places(count: u32, seed: u64) -> impl Iterator<Item = DVec2> {
+    #[expect(clippy::cast_possible_truncation, reason = "half of the bits do")]
+    let seed = seed as u32;
+    let along = move |axis, number| f64::from(sample(number, axis, seed));
+    (0..count).map(move |number| DVec2::new(along(0, number), along(1, number)))
+}

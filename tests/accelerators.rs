@@ -1,0 +1,143 @@
+//! A tree of boxes finds what a list finds: pictures are the same, bit for bit, and cost less.
+//!
+//! `HELIODON_TREE_SCENES=10000 cargo test --release --test accelerators` draws that many random scenes.
+
+#[path = "accelerators/generator.rs"]
+mod generator;
+#[path = "oracle/random.rs"]
+#[expect(dead_code, reason = "the oracle takes other numbers as well")]
+mod random;
+
+use heliodon::accel::{Accelerator, LightView, SurfaceList};
+use heliodon::film::Film;
+use heliodon::math::{Departure, Point, Ray, Segment, Span, unit};
+use heliodon::plan::{Plan, Scope};
+use heliodon::read::{Options, read_bytes};
+use heliodon::render::{Counts, drawn};
+use heliodon::scene::Scene;
+use random::Random;
+use rayon::prelude::*;
+
+/// How many scenes a run of all tests draws.
+const SCENES: u64 = 120;
+
+fn scene(text: &str) -> Scene {
+    let read = read_bytes("random", text.into(), "".into(), &Options::default());
+    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.problems));
+    reading.scene
+}
+
+fn picture(scene: &Scene, scope: Scope, accelerator: Accelerator) -> (Film, Counts) {
+    let plan = Plan::with(scene, None, scope, accelerator).expect("a possible camera");
+    drawn(&plan, &|_| ()).expect("memory")
+}
+
+fn bits(film: &Film) -> Vec<[u64; 3]> {
+    let pixels = film.pixels().iter();
+    pixels
+        .map(|pixel| pixel.channels().map(f64::to_bits))
+        .collect()
+}
+
+#[test]
+fn pictures_of_random_scenes_are_the_same() {
+    let count = std::env::var("HELIODON_TREE_SCENES").ok();
+    let count = count.and_then(|count| count.parse().ok()).unwrap_or(SCENES);
+    let wrong = (0..count).into_par_iter().filter(|seed| {
+        let text = generator::scene(*seed);
+        let scene = scene(&text);
+        let lists = [Scope::CalledFor, Scope::Everything].map(|scope| {
+            let both = [Accelerator::List, Accelerator::Tree]
+                .map(|accelerator| bits(&picture(&scene, scope, accelerator).0));
+            both[0] == both[1]
+        });
+        lists.contains(&false)
+    });
+    let wrong: Vec<_> = wrong.collect();
+    assert!(wrong.is_empty(), "scenes {wrong:?} differ");
+}
+
+/// Rays from everywhere, along the axes and in the faces of boxes too, and shadows.
+#[test]
+fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
+    let wrong = (0..60u64).into_par_iter().filter(|seed| {
+        let scene = scene(&generator::scene(*seed));
+        let [list, tree] = [Accelerator::List, Accelerator::Tree]
+            .map(|accelerator| SurfaceList::with(&scene.surfaces, accelerator));
+        let mut random = Random::of(0x7ee, *seed);
+        let corners = scene.surfaces.iter().flat_map(|surface| {
+            let bounds = surface.bounds().map(|bounds| bounds.corners().to_vec());
+            [surface.outline(), bounds.unwrap_or_default()].concat()
+        });
+        let corners: Vec<_> = corners.collect();
+        let any = |random: &mut Random| corners[random.below(corners.len() as u32) as usize];
+        let light = any(&mut random) + random.cube();
+        let views = [&list, &tree].map(|found| LightView::all(found, [light].into_iter(), false));
+        (0..2000).any(|_| {
+            let from = any(&mut random);
+            let from = if random.once_in(2) {
+                from + random.cube()
+            } else {
+                from
+            };
+            let mut way = any(&mut random) - from;
+            if random.once_in(4) {
+                // Along an axis, and so in the faces of boxes.
+                let axis = random.below(3) as usize;
+                let along = way[axis];
+                way = glam::DVec3::ZERO;
+                way[axis] = along;
+            }
+            let Some(dir) = unit(way) else { return false };
+            let ray = Ray::new(Point::exact(from), dir);
+            let met = [&list, &tree].map(|found| {
+                let met = found.nearest(&ray, Span::AHEAD, &mut 0);
+                met.map(|(entry, hit)| (entry.index, hit))
+            });
+            let Some((index, hit)) = met[0] else {
+                return met[1].is_some();
+            };
+            let entry = &list.entries()[index];
+            let departure = Departure::new(entry.sheet(), &ray, hit.point, hit.error);
+            let bounced = Ray::leaving(&departure, ray.mirrored(hit.normal));
+            let then = [&list, &tree].map(|found| {
+                let met = found.nearest(&bounced, Span::AHEAD, &mut 0);
+                met.map(|(entry, hit)| (entry.index, hit))
+            });
+            let passed = Segment::new(&departure, light).map(|segment| {
+                [0, 1].map(|which| views[which][0].transmittance(entry, &segment, &mut 0))
+            });
+            met[0] != met[1] || then[0] != then[1] || passed.is_some_and(|both| both[0] != both[1])
+        })
+    });
+    let wrong: Vec<_> = wrong.collect();
+    assert!(wrong.is_empty(), "scenes {wrong:?} differ");
+}
+
+#[test]
+fn a_tree_asks_few_of_ten_thousand_planes() {
+    let scene = scene(&generator::many(10_000));
+    let (_, counts) = picture(&scene, Scope::CalledFor, Accelerator::Tree);
+    assert_eq!(counts.camera_rays, 40 * 30);
+    let each = counts.camera_rays + counts.mirror_rays + counts.transmitted_rays;
+    assert!(counts.hit_tests < 12 * each, "{counts:?}");
+    assert!(
+        counts.occlusion_tests < 12 * counts.shadow_rays,
+        "{counts:?}"
+    );
+    // Exactly as many as when this was written; fewer are welcome.
+    assert!(counts.hit_tests <= HIT_TESTS, "{counts:?}");
+    assert!(counts.occlusion_tests <= OCCLUSION_TESTS, "{counts:?}");
+}
+
+const HIT_TESTS: u64 = 0;
+const OCCLUSION_TESTS: u64 = 0;
+
+#[test]
+fn few_surfaces_are_a_list_and_many_a_tree() {
+    let scene = scene(&generator::many(Accelerator::FEWEST));
+    let many = SurfaceList::new(&scene.surfaces);
+    assert_eq!(many.accelerator(), Accelerator::Tree);
+    let few = SurfaceList::new(&scene.surfaces[1..]);
+    assert_eq!(few.accelerator(), Accelerator::List);
+}

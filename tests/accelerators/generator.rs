@@ -1,0 +1,239 @@
+//! Random scenes of a few hundred surfaces that touch, overlap and lie in one plane.
+
+use std::fmt::Write;
+
+use crate::random::Random;
+
+/// The head of a scene, in units of this length and around this place.
+fn head(unit: f64, place: f64, size: [u32; 2]) -> String {
+    let at = |numbers: [f64; 3]| triple(numbers, unit, place);
+    format!(
+        r#"
+        image {} {} cut-off=0.1
+        lighting {{ falloff "none"; view-falloff "none" }}
+        camera {{ viewpoint {}; look-at {}; field-of-view 50 }}
+        light {{ location {}; emissivity 1 }}
+        light {{ location {}; emissivity 1 0.5 0.25 }}
+        material "chalk" {{ ambient 0.1; diffuse 0.5 }}
+        material "red" {{ ambient 0.3 0.1 0.1; diffuse 0.5 0.1 0.1 }}
+        material "pane" {{ ambient 0.1; diffuse 0.4 0.9 0.7; transparency 0.6 }}
+        material "mirror" {{ ambient 0; diffuse 0.1; specular 0.7 }}
+        "#,
+        size[0],
+        size[1],
+        at([1.0, 2.0, 14.0]),
+        at([0.0, 0.0, 0.0]),
+        at([4.0, 9.0, 11.0]),
+        at([0.5, 0.5, 0.5]),
+    )
+}
+
+fn triple(numbers: [f64; 3], unit: f64, place: f64) -> String {
+    let [x, y, z] = numbers.map(|number| number * unit + place);
+    format!("{x:?} {y:?} {z:?}")
+}
+
+/// The text of a scene: a function of its number alone.
+pub(crate) fn scene(seed: u64) -> String {
+    let mut random = Random::of(0xacce1, seed);
+    // All numbers are multiples of 1/64, so that far and scaled scenes are as exact as near ones.
+    let (unit, place) = match seed % 4 {
+        0 => (2f64.powi(-100), 0.0),
+        1 => (2f64.powi(100), 0.0),
+        2 => (1.0, 1e9),
+        _ => (1.0, 0.0),
+    };
+    let mut maker = Maker {
+        text: head(unit, place, [24, 18]),
+        random: &mut random,
+        unit,
+        place,
+    };
+    for _ in 0..20 {
+        maker.group();
+    }
+    maker.text
+}
+
+/// So many small planes in a cube, each turned another way.
+pub(crate) fn many(count: usize) -> String {
+    let mut random = Random::of(0xacce1, count as u64);
+    let mut maker = Maker {
+        text: head(1.0, 0.0, [40, 30]),
+        random: &mut random,
+        unit: 1.0,
+        place: 0.0,
+    };
+    for _ in 0..count {
+        let [point, normal, xdir] = [4.0, 1.0, 1.0].map(|reach| maker.point(reach));
+        maker.rectangle(point, normal, xdir, [0.25, 0.25]);
+    }
+    maker.text
+}
+
+struct Maker<'r> {
+    random: &'r mut Random,
+    text: String,
+    unit: f64,
+    place: f64,
+}
+
+impl Maker<'_> {
+    fn number(&mut self, reach: f64) -> f64 {
+        let steps = (reach * 64.0) as i32;
+        f64::from(self.random.between(-steps, steps)) / 64.0
+    }
+
+    fn point(&mut self, reach: f64) -> [f64; 3] {
+        std::array::from_fn(|_| self.number(reach))
+    }
+
+    fn material(&mut self) -> &'static str {
+        self.random
+            .pick(&["chalk", "chalk", "red", "pane", "pane", "mirror"])
+    }
+
+    /// A few surfaces that have to do with each other.
+    fn group(&mut self) {
+        let corner = self.point(4.0);
+        match self.random.below(6) {
+            0 => self.tiles(corner),
+            1 => {
+                // In one place, or in one plane.
+                let [normal, xdir] = [self.direction(), self.direction()];
+                for _ in 0..4 {
+                    let size = [1.0 + self.number(0.5), 1.5 + self.number(1.0)];
+                    self.rectangle(corner, normal, xdir, size);
+                }
+            }
+            2 => {
+                // Along the axes, shifted along them.
+                let axis = self.random.below(3) as usize;
+                let mut normal = [0.0; 3];
+                normal[axis] = 1.0;
+                let mut xdir = [0.0; 3];
+                xdir[(axis + 1) % 3] = 1.0;
+                for step in 0..5 {
+                    let mut corner = corner;
+                    corner[axis] += f64::from(step) * 0.5;
+                    self.rectangle(corner, normal, xdir, [1.0, 2.0]);
+                }
+            }
+            3 => self.fan(corner),
+            4 => {
+                for _ in 0..3 {
+                    self.ball(corner);
+                }
+            }
+            _ => {
+                for _ in 0..5 {
+                    let [point, normal, xdir] =
+                        [self.point(4.0), self.direction(), self.direction()];
+                    self.rectangle(point, normal, xdir, [1.0, 0.5]);
+                }
+            }
+        }
+        if self.random.once_in(20) {
+            let (material, at) = (
+                self.material(),
+                triple([0.0, -4.0, 0.0], self.unit, self.place),
+            );
+            let _ = writeln!(
+                self.text,
+                r#"plane {{ material "{material}"; point {at}; normal 0 1 0 }}"#
+            );
+        }
+    }
+
+    fn direction(&mut self) -> [f64; 3] {
+        let [x, y, z] = self.point(1.0);
+        [x, y, if z == 0.0 { 1.0 } else { z }]
+    }
+
+    fn rectangle(&mut self, point: [f64; 3], normal: [f64; 3], xdir: [f64; 3], size: [f64; 2]) {
+        let material = self.material();
+        let [[a, b, c], [d, e, f]] = [normal, xdir];
+        let across = [b * f - c * e, c * d - a * f, a * e - b * d];
+        // What is nearly parallel is refused.
+        let square = |[x, y, z]: [f64; 3]| x * x + y * y + z * z;
+        let xdir = if square(across) < 1e-3 * square(normal) * square(xdir) {
+            if a.abs() > 0.5 * square(normal).sqrt() {
+                [0.0, 1.0, 0.0]
+            } else {
+                [1.0, 0.0, 0.0]
+            }
+        } else {
+            xdir
+        };
+        let at = triple(point, self.unit, self.place);
+        let [normal, xdir] = [normal, xdir].map(|numbers| triple(numbers, 1.0, 0.0));
+        let [width, height] = size.map(|length| length * self.unit);
+        let _ = writeln!(
+            self.text,
+            r#"finite-plane {{ material "{material}"; point {at}; normal {normal}; xdir {xdir}; dimensions {width:?} {height:?} }}"#
+        );
+    }
+
+    /// A wall whose tiles share their borders.
+    fn tiles(&mut self, corner: [f64; 3]) {
+        for row in 0..4 {
+            for column in 0..4 {
+                let point = [
+                    corner[0] + f64::from(column) * 0.5,
+                    corner[1] + f64::from(row) * 0.5,
+                    corner[2],
+                ];
+                self.rectangle(point, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.5, 0.5]);
+            }
+        }
+    }
+
+    /// Triangles around a point, which share their edges.
+    fn fan(&mut self, top: [f64; 3]) {
+        let rim: Vec<_> = (0..6)
+            .map(|step| {
+                let [x, y, z] = self.point(1.0);
+                let turned = [
+                    [2.0, 0.0],
+                    [1.0, 2.0],
+                    [-1.0, 2.0],
+                    [-2.0, 0.0],
+                    [-1.0, -2.0],
+                    [1.0, -2.0],
+                ];
+                let [dx, dy] = turned[step];
+                [
+                    top[0] + dx + x / 4.0,
+                    top[1] + dy + y / 4.0,
+                    top[2] - 1.0 + z,
+                ]
+            })
+            .collect();
+        for step in 0..6 {
+            let material = self.material();
+            let corners = [top, rim[step], rim[(step + 1) % 6]];
+            let [a, b, c] = corners.map(|corner| triple(corner, self.unit, self.place));
+            let _ = writeln!(
+                self.text,
+                r#"triangle {{ material "{material}"; vertex1 {a}; vertex2 {b}; vertex3 {c} }}"#
+            );
+        }
+    }
+
+    /// A sphere or an ellipsoid.
+    fn ball(&mut self, center: [f64; 3]) {
+        let material = self.material();
+        let at = triple(center, self.unit, self.place);
+        let radius = (0.75 + self.number(0.5)) * self.unit;
+        let node = if self.random.once_in(2) {
+            format!(r#"sphere {{ material "{material}"; center {at}; radius {radius:?} }}"#)
+        } else {
+            let [x, y, z] = self.point(0.5).map(|number| number + 1.0);
+            format!(
+                r#"ellipsoid {{ material "{material}"; center {at}; radius {radius:?}; scale {x:?} {y:?} {z:?} }}"#
+            )
+        };
+        self.text.push_str(&node);
+        self.text.push('\n');
+    }
+}
