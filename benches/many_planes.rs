@@ -18,9 +18,11 @@ use heliodon::{measure, scene::Scene};
 
 const LONGEST_LIST: usize = 10_000;
 
+/// Makes a scene of so many planes.
+type Maker = fn(usize) -> String;
+
 /// How planes may lie.
-const KINDS: [(&str, fn(usize) -> String); 3] =
-    [("any way", any), ("tiles", tiles), ("turned", turned)];
+const KINDS: [(&str, Maker); 3] = [("any way", any), ("tiles", tiles), ("turned", turned)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Cargo adds `--bench`.

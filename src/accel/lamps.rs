@@ -138,6 +138,13 @@ impl<'a> LampView<'a> {
         self.list_of[entry.index].is_some()
     }
 
+    /// Whether anything can stand between the lamp and some part of a surface, by its place in the
+    /// list.
+    #[must_use]
+    pub fn can_be_hidden_from(&self, surface: usize) -> bool {
+        self.list_of[surface].is_some_and(|list| !self.lists[list].is_empty())
+    }
+
     /// What may stand between the lamp and a hit of a surface, from which `ray` starts.
     ///
     /// `is_open` says that nothing but surfaces ends a ray to the lamp.
@@ -188,7 +195,7 @@ impl Casters<'_, '_> {
             }
             crossed.extend(support);
             if let Some(hit) = surface.hits(&segment.ray, segment.span) {
-                let hit = surface.settle(hit, &segment.ray);
+                let hit = surface.settle(&hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }
         }

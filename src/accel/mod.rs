@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::math::{Curve, Decisions, Departure, Flat, Ray, Span, Support};
-use crate::surface::{Hit, Surface};
+use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
 
 /// The surfaces of a scene in file order, and what finds those that a ray may meet.
@@ -48,6 +48,8 @@ pub struct Entry<'a> {
     pub flat: Option<&'a Flat>,
     /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
     pub is_entered: bool,
+    /// What it has like every surface.
+    pub common: &'a Common,
     /// Its place in the list.
     pub index: usize,
 }
@@ -126,6 +128,7 @@ fn entries<'a>(
             surface,
             support,
             flat: surface.flat(),
+            common: surface.common(),
             is_entered: surface.round().is_some()
                 && surface.common().material.is_entered()
                 // A sheet has the number of the first surface on it.
@@ -176,21 +179,22 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
             return;
         }
         *tests += 1;
-        let Some(hit) = entry.surface.hits(self.ray, self.span) else {
+        let met = entry.surface.hits(self.ray, self.span);
+        let Some(hit) = &met else {
             return;
         };
-        let best = self.best.as_ref();
-        if best.is_some_and(|(best, best_hit)| !entry.is_before(&hit, best, best_hit, self.ray)) {
+        if let Some((best, best_hit)) = &self.best
+            && !entry.is_before(hit, best, best_hit, self.ray)
+        {
             return;
         }
         self.span = self.span.until(hit.t + hit.error);
-        self.best = Some((entry, hit));
+        self.best = Some((entry, *hit));
     }
 
-    fn found(self) -> Option<(&'e Entry<'a>, Hit)> {
-        let ray = self.ray;
-        self.best
-            .map(|(entry, hit)| (entry, entry.surface.settle(hit, ray)))
+    fn found(&self) -> Option<(&'e Entry<'a>, Hit)> {
+        let (entry, hit) = self.best.as_ref()?;
+        Some((entry, entry.surface.settle(hit, self.ray)))
     }
 }
 

@@ -85,9 +85,9 @@ impl<'a> LightView<'a> {
         let casters: Vec<_> = surfaces
             .entries()
             .iter()
-            .filter(|entry| entry.surface.common().shadows.cast)
+            .filter(|entry| entry.common.shadows.cast)
             .map(|entry| {
-                let opaque = entry.surface.common().material.transparency == 0.0;
+                let opaque = entry.common.material.transparency == 0.0;
                 if !opaque {
                     clear_sheets.extend(entry.support);
                 }
@@ -179,7 +179,9 @@ impl<'a> LightView<'a> {
     #[inline]
     pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
         let mut casters = self.casters_for(entry).iter();
-        casters.any(|caster| caster.can_meet(ray, hit))
+        // The tree asks for less than going through all of them.
+        self.tree.is_some() && !casters.as_slice().is_empty()
+            || casters.any(|caster| caster.can_meet(ray, hit))
     }
 
     /// The share of the light's colour that passes along a segment from a hit of a surface to it.
@@ -253,12 +255,12 @@ fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment:
         {
             continue;
         }
-        if entry.surface.common().material.transparency == 0.0 {
+        if entry.common.material.transparency == 0.0 {
             return Rgb::BLACK;
         }
         crossed.extend(entry.support);
         if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
-            let hit = entry.surface.settle(hit, &segment.ray);
+            let hit = entry.surface.settle(&hit, &segment.ray);
             passed = passed * entry.surface.transmits(&hit);
         }
     }

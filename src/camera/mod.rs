@@ -51,6 +51,7 @@ impl Camera {
     ///
     /// Behind the chapter's screen everything counts, on the viewer's side nothing does.
     #[must_use]
+    #[inline]
     pub fn span(&self, ray: &Ray) -> Span {
         let Some(screen) = self.screen else {
             return Span::AHEAD;

@@ -9,7 +9,7 @@ pub use slide::Slide;
 use glam::DVec3;
 
 use crate::language::{Attribute, Location, Naming, Node, Schema, Takes};
-use crate::math::{Point, Rgb, Segment};
+use crate::math::{Point, Rgb};
 
 /// A light. Lights themselves are not seen.
 #[derive(Debug, Clone)]
@@ -53,15 +53,23 @@ impl Light {
         attributes: &[ATTRIBUTES],
     };
 
-    /// The light that leaves towards the start of a segment to this light; `None` outside of the
-    /// beam.
+    /// The light that leaves in a direction; `None` outside of the beam.
     #[must_use]
-    pub fn towards(&self, segment: &Segment) -> Option<Rgb> {
+    #[inline(always)]
+    pub fn towards(&self, direction: DVec3) -> Option<Rgb> {
         match &self.beam {
             Beam::Everywhere => Some(self.emissivity),
-            Beam::Cone(cone) => cone.contains(-segment.ray.dir).then_some(self.emissivity),
+            _ => self.beam_towards(direction),
+        }
+    }
+
+    /// The light that leaves in a direction, if it is not the same in all of them.
+    fn beam_towards(&self, direction: DVec3) -> Option<Rgb> {
+        match &self.beam {
+            Beam::Everywhere => Some(self.emissivity),
+            Beam::Cone(cone) => cone.contains(direction).then_some(self.emissivity),
             Beam::Slide(slide) => {
-                let color = slide.color(Point::exact(self.location), -segment.ray.dir)?;
+                let color = slide.color(Point::exact(self.location), direction)?;
                 Some(self.emissivity * color)
             }
         }

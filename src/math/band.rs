@@ -51,13 +51,6 @@ pub(crate) const FOOT: f64 = 16.0 * UNIT;
 /// it anywhere, and then what is near the hit cannot be told from where it was computed to be.
 pub(crate) const SLIDE: f64 = 134_217_728.0 * UNIT;
 
-/// How far a ray that is said to meet a surface can pass by the points around it, in units of the sum of
-/// all lengths that went into both and the angle between them: 16 for the corners of surfaces that share
-/// their planes and borders, twice that where two borders meet, 9 for the border and 8 for the ray's
-/// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
-/// how far the ray's start may be off.
-pub(crate) const SHADE: f64 = 16_384.0 * UNIT;
-
 /// A ray that rises less than this along a normal is so nearly parallel to the plane that borders are
 /// decided *in* the plane: half of a double's digits, 2⁻²⁶. A border is a line that lies off its
 /// plane by a rounding, and beside a line in space a ray passes where it passes beside its image in the
@@ -74,3 +67,10 @@ pub(crate) const WIDEN: f64 = 8_589_934_592.0 * UNIT;
 /// product, each of which is as good as moving the face: 8 for each of the two. And 8 more, because
 /// the start of a ray may be that far beyond a plane ([`HEIGHT`]) and still before it.
 pub(crate) const SLAB: f64 = 32.0 * UNIT;
+
+/// How far a ray that is said to meet a surface can pass by the points around it, in units of the sum of
+/// all lengths that went into both and the angle between them: 16 for the corners of surfaces that share
+/// their planes and borders, twice that where two borders meet, 9 for the border and 8 for the ray's
+/// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
+/// how far the ray's start may be off.
+pub(crate) const SHADE: f64 = 16_384.0 * UNIT;

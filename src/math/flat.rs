@@ -2,13 +2,10 @@
 
 use glam::DVec3;
 
-use super::band::{GRAZING, HEIGHT, SLOPE, UNDERFLOW, UNIT};
+use super::band::{HEIGHT, UNDERFLOW, UNIT};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
-use super::{Crossing, Decisions, Grazing, Point, Ray, Segment, Side, Span};
+use super::{Decisions, Point, Ray, Side, Span};
 use crate::language::Refusal;
-
-/// A slope that is not [`GRAZING`], whichever surface's normal in a plane it was computed with.
-const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 
 /// A plane through a point, with a unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,13 +16,13 @@ pub struct Flat {
     pub normal: DVec3,
     /// The normal by which heights are *decided*: the same for all surfaces in this plane, but
     /// for its sign, and no further from `normal` than rounding.
-    decisive: DVec3,
+    pub(super) decisive: DVec3,
     /// The point from which heights are *decided*: the same for all surfaces in this plane.
-    base: DVec3,
+    pub(super) base: DVec3,
     /// How far at most `point` lies from the plane through `base`, and what underflow can add.
-    slack: f64,
+    pub(super) slack: f64,
     /// The plane's share in what a height above it can be off by; see [`Ray`]'s.
-    doubt: f64,
+    pub(super) doubt: f64,
 }
 
 impl Flat {
@@ -192,154 +189,10 @@ impl Flat {
     }
 
     /// The sign of the height of a point above the plane, exactly.
-    fn exact_side(&self, point: &Point) -> Sign {
+    pub(super) fn exact_side(&self, point: &Point) -> Sign {
         let height = point.exactly_from(self.base).dot(&self.decisive.into());
         Decisions::note(height.sign() == Sign::Zero);
         height.sign()
-    }
-
-    /// Where a segment crosses the plane, if its ends lie strictly on opposite sides; only then
-    /// can a surface in this plane stand between them.
-    ///
-    /// `end` is the side that the segment's end is on.
-    #[must_use]
-    #[inline(always)]
-    pub fn separates(&self, segment: &Segment, end: Side) -> Option<Crossing> {
-        let ray = &segment.ray;
-        let origin = ray.origin.from(self.point);
-        let height = -self.normal.dot(origin);
-        let (start, at_start) = if height.abs() > self.doubt + ray.doubt + ray.astray {
-            (Sign::of(-height), None)
-        } else {
-            self.side_of_origin(ray)
-        };
-        let rises = match (Side::of(start), end) {
-            (Side::Back, Side::Front) => true,
-            (Side::Front, Side::Back) => false,
-            _ => return None,
-        };
-        let slope = self.normal.dot(ray.dir);
-        Some(Crossing {
-            origin,
-            height,
-            slope,
-            rises,
-            doubt: self.doubt + ray.doubt,
-            at_start,
-            grazing: self.grazing(ray, slope, rises, at_start),
-        })
-    }
-
-    /// Where a ray crosses the plane ahead of its origin; a ray along the plane never does.
-    #[must_use]
-    #[inline(always)]
-    pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
-        let origin = ray.origin.from(self.point);
-        let height = -self.normal.dot(origin);
-        let slope = self.normal.dot(ray.dir);
-        let rises = slope > 0.0;
-        let crossing = Crossing {
-            origin,
-            height,
-            slope,
-            rises,
-            doubt: self.doubt + ray.doubt,
-            at_start: None,
-            grazing: None,
-        };
-        if height.abs() > crossing.doubt + ray.astray && slope.abs() > STEEP {
-            return (rises == (height > 0.0)).then_some(crossing);
-        }
-        self.doubtful_crossing(ray, crossing)
-    }
-
-    /// Whether the crossing lies ahead, where rounded values leave doubt.
-    #[cold]
-    fn doubtful_crossing(&self, ray: &Ray, crossing: Crossing) -> Option<Crossing> {
-        if crossing.height.abs() > crossing.doubt + ray.astray && crossing.slope.abs() > SLOPE {
-            let Crossing { slope, rises, .. } = crossing;
-            let grazing = self.grazing(ray, slope, rises, None);
-            return (rises == (crossing.height > 0.0)).then_some(Crossing {
-                grazing,
-                ..crossing
-            });
-        }
-        let exact = self.exact_slope(ray.dir);
-        let sign = exact.sign();
-        Decisions::note(sign == Sign::Zero);
-        let (side, at_start) = self.side_of_origin(ray);
-        let ahead = -(side * sign) == Sign::Positive;
-        let rises = sign == Sign::Positive;
-        // A slope so small that no double holds it is still not zero.
-        let steepness = exact.to_f64().abs().max(UNDERFLOW);
-        ahead.then(|| Crossing {
-            rises,
-            slope: if rises { steepness } else { -steepness },
-            at_start,
-            grazing: self.grazing(ray, crossing.slope, rises, at_start),
-            ..crossing
-        })
-    }
-
-    /// How a ray crosses the plane if it is nearly parallel to it.
-    #[inline(always)]
-    fn grazing(
-        &self,
-        ray: &Ray,
-        slope: f64,
-        rises: bool,
-        at_start: Option<f64>,
-    ) -> Option<Grazing> {
-        if slope.abs() > STEEP {
-            return None;
-        }
-        // All surfaces in this plane have to agree.
-        let grazes = self.decisive.dot(ray.dir).abs() < GRAZING;
-        grazes.then(|| {
-            let behind =
-                || self.exact_side(&ray.origin) == Sign::of(if rises { 1.0 } else { -1.0 });
-            if at_start.is_some() && behind() {
-                Grazing::Behind
-            } else {
-                Grazing::Ahead
-            }
-        })
-    }
-
-    /// The side of the plane that a ray starts on; and if it is not measured, how far the origin may
-    /// be from where it ought to.
-    ///
-    /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
-    /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
-    /// one on which that ray started, which may in its turn have left a surface close to this
-    /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
-    /// through the edges and corners of a room.
-    #[cold]
-    fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
-        let rounding = ray.rounding();
-        let mut ray = *ray;
-        let mut inherited = false;
-        let side = loop {
-            let Some(departure) = ray.departure else {
-                break self.exact_side(&ray.origin);
-            };
-            if departure.is_in(self) {
-                inherited = true;
-                break self.exact_slope(ray.dir).sign();
-            }
-            let (way, size) = ray.origin.seen_from(self.point);
-            let height = self.normal.dot(way);
-            if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
-                break Sign::of(height);
-            }
-            inherited = true;
-            ray = *departure.arriving;
-        };
-        if !inherited {
-            return (side, None);
-        }
-        Decisions::note(true);
-        (side, Some(rounding))
     }
 
     /// The distance at which a ray meets the plane, exactly.

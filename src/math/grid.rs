@@ -15,6 +15,8 @@ pub struct Grid {
     pitch: f64,
     /// What rounding took from the pitch.
     rest: f64,
+    /// Cells per unit; not-a-number if that has not all the bits of a double.
+    density: f64,
 }
 
 impl Grid {
@@ -23,7 +25,13 @@ impl Grid {
     pub fn new(pitch: &RBig) -> Self {
         let rounded = pitch.to_f64().value();
         let taken = RBig::try_from(rounded).unwrap_or_default();
+        let density = rounded.recip();
         Self {
+            density: if density.is_normal() {
+                density
+            } else {
+                f64::NAN
+            },
             pitch: rounded,
             rest: (pitch - taken).to_f64().value(),
         }
@@ -52,11 +60,12 @@ impl Grid {
     #[must_use]
     #[inline]
     pub fn certain_cell(&self, place: f64, doubt: f64) -> Option<f64> {
-        let estimate = place / self.pitch;
+        let estimate = place * self.density;
         let below = floor(estimate);
         let into = estimate - below;
-        // The quotient is rounded once and the pitch was, too.
-        let doubt = doubt / self.pitch + 4.0 * UNIT * estimate.abs();
+        // The product, the density, the pitch and the line are rounded once each; and what the
+        // doubt comes to is rounded, too.
+        let doubt = (doubt * self.density) * (1.0 + 8.0 * UNIT) + 8.0 * UNIT * estimate.abs();
         (into > doubt && 1.0 - into > doubt).then_some(below)
     }
 

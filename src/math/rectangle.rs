@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::band::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
+use super::crossing::InDoubt;
 use super::exact::ExactVector;
 use super::line::inside_all;
 use super::{Blueprint, Crossing, ExactFrame, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
@@ -101,13 +102,28 @@ impl Rectangle {
     ///
     /// All four borders belong to the rectangle, but for those that a neighbour owns.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
-        let crossing = self.flat.crossing(ray)?;
+        match self.flat.certain_crossing(ray) {
+            Ok(crossing) => self.met(&crossing?, ray, span),
+            Err(InDoubt) => self.hits_in_doubt(ray, span),
+        }
+    }
+
+    /// As [`hits`](Self::hits), where rounded values leave doubt of the crossing.
+    #[cold]
+    fn hits_in_doubt(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
+        let crossing = self.flat.doubtful_crossing(ray)?;
+        self.met(&crossing, ray, span)
+    }
+
+    /// Where a ray that crosses the plane there meets the rectangle, if it does.
+    #[inline(always)]
+    fn met(&self, crossing: &Crossing, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
         if crossing.is_beyond(span) {
             return None;
         }
-        let scaled = self.inside(&crossing, ray)?;
+        let scaled = self.inside(crossing, ray)?;
         // Only a certain hit is divided.
         let t = crossing.distance();
         let error = crossing.error(t);
@@ -139,7 +155,8 @@ impl Rectangle {
         let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
         let exactly = || {
             let corners = || self.exact_corners().into();
-            inside_all(&self.borders, corners, ray, &self.flat, crossing)
+            // A copy, so that the crossing itself need not be in memory where there is no doubt.
+            inside_all(&self.borders, corners, ray, &self.flat, &{ *crossing })
         };
 
         let x = self.frame.y.dot(moment) * sign;

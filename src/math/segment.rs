@@ -20,6 +20,7 @@ pub struct Segment<'a> {
 impl<'a> Segment<'a> {
     /// The segment from a hit to a point; `None` if they coincide.
     #[must_use]
+    #[inline]
     pub fn new(departure: &'a Departure<'a>, end: impl Into<Point>) -> Option<Self> {
         Self::along(departure.point, end.into(), |dir| {
             Ray::leaving(departure, dir)
@@ -32,6 +33,7 @@ impl<'a> Segment<'a> {
         Self::along(start, end.into(), |dir| Ray::new(start, dir))
     }
 
+    #[inline]
     fn along(start: Point, end: Point, ray: impl FnOnce(DVec3) -> Ray<'a>) -> Option<Self> {
         let way = end.way_from(&start);
         let length = way.length();

@@ -14,7 +14,8 @@ use crate::texture::Texture;
 /// described, its nodes are changed, and their text is read.
 ///
 /// Mirrors and glints share `specular`, so without mirrors there are no glints either; glints alone
-/// are switched off by `shininess`. What has an `ior` mirrors by it, so without mirrors there is none.
+/// are switched off by `shininess`. What has an `ior` mirrors by it, so without mirrors it has none.
+/// Shadows and soft shadows are what surfaces receive, and go together.
 ///
 /// # Errors
 /// Refuses a scene that cannot be read again, because its textures cannot.
@@ -49,17 +50,17 @@ fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
 /// A node without what calls for an effect.
 fn off(node: Node, effect: Effect) -> Node {
     match effect {
-        Effect::Shadows => unshadowed(node),
-        Effect::Mirrors => lacking(with_zero(node, "specular"), "ior"),
-        Effect::Transparency => with_zero(node, "transparency"),
-        Effect::Refraction => lacking(node, "ior"),
-        Effect::Glints => with_zero(node, "shininess"),
+        Effect::Shadows | Effect::SoftShadows => unshadowed(node),
+        Effect::Mirrors => without_attribute(with_number(node, "specular", 0.0), "ior"),
+        Effect::Transparency => with_number(node, "transparency", 0.0),
+        Effect::Refraction => without_attribute(node, "ior"),
+        Effect::Glints => with_number(node, "shininess", 0.0),
         Effect::SpotCones => changed(node, &Cone::SCHEMA, &Light::SCHEMA),
         Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),
         Effect::Textures if node.schema == &Slide::SCHEMA => node,
         Effect::Textures => {
-            let node = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
-            lacking(node, "texture")
+            let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
+            without_attribute(plane, "texture")
         }
         Effect::Antialiasing => with_one_sample(node),
     }
@@ -77,11 +78,11 @@ fn unshadowed(mut node: Node) -> Node {
     node
 }
 
-/// With an attribute set to zero, if it is given.
-fn with_zero(mut node: Node, word: &str) -> Node {
+/// With an attribute set to a number, if it is given.
+fn with_number(mut node: Node, word: &str, number: f64) -> Node {
     let entries = node.attributes.iter_mut();
     for entry in entries.filter(|entry| entry.attribute.word == word) {
-        entry.value = Some(Value::Number(0.0));
+        entry.value = Some(Value::Number(number));
     }
     node
 }
@@ -97,7 +98,7 @@ fn changed(mut node: Node, from: &Schema, to: &'static Schema) -> Node {
 }
 
 /// Without an attribute.
-fn lacking(mut node: Node, word: &str) -> Node {
+fn without_attribute(mut node: Node, word: &str) -> Node {
     node.attributes.retain(|entry| entry.attribute.word != word);
     node
 }

@@ -36,6 +36,7 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
         Effect::Glints => glints(plan),
         Effect::SpotCones => of_lights(plan, effect, |light| matches!(light.beam, Beam::Cone(_))),
         Effect::Projectors => of_lights(plan, effect, |light| matches!(light.beam, Beam::Slide(_))),
+        Effect::SoftShadows => soft_shadows(plan),
         Effect::Textures => of_surfaces(
             plan,
             effect,
@@ -56,12 +57,28 @@ fn shadows(plan: &Plan<'_>) -> Decision {
     });
     let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
     let why = match (all, causes.len()) {
-        (0, _) => "there is no light".to_owned(),
+        (0, _) => "the scene has no lights".to_owned(),
         (_, 0) => "nothing can stand between a light and what it lights".to_owned(),
         (1, _) => "something can stand before the light".to_owned(),
         (all, some) => format!("something can stand before {some} of {all} lights"),
     };
     Decision::new(Effect::Shadows, why, causes)
+}
+
+fn soft_shadows(plan: &Plan<'_>) -> Decision {
+    let all = plan.lamp_views.len();
+    let hidden = plan.lamp_views.iter().filter(|view| {
+        let mut receivers = surfaces(plan, |surface| surface.common().shadows.receive);
+        receivers.any(|(index, _)| view.can_be_hidden_from(index))
+    });
+    let causes: Vec<_> = hidden.map(|view| Cause::of_surface(view.lamp)).collect();
+    let why = match (all, causes.len()) {
+        (0, _) => "the scene has no lamps".to_owned(),
+        (_, 0) => "nothing can stand between a lamp and what it lights".to_owned(),
+        (1, _) => "something can stand before the lamp".to_owned(),
+        (all, some) => format!("something can stand before {some} of {all} lamps"),
+    };
+    Decision::new(Effect::SoftShadows, why, causes)
 }
 
 fn glints(plan: &Plan<'_>) -> Decision {

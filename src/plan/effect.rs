@@ -24,6 +24,8 @@ pub enum Effect {
     SpotCones,
     /// Lights that shine through a slide.
     Projectors,
+    /// Surfaces that stand before parts of lamps.
+    SoftShadows,
     /// Images on surfaces.
     Textures,
     /// Several rays through each pixel.
@@ -32,7 +34,7 @@ pub enum Effect {
 
 impl Effect {
     /// All of them, in the order in which they are explained.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Shadows,
         Self::Mirrors,
         Self::Transparency,
@@ -40,6 +42,7 @@ impl Effect {
         Self::Glints,
         Self::SpotCones,
         Self::Projectors,
+        Self::SoftShadows,
         Self::Textures,
         Self::Antialiasing,
     ];
@@ -55,6 +58,7 @@ impl Effect {
             Self::Glints => "glints",
             Self::SpotCones => "spot cones",
             Self::Projectors => "projectors",
+            Self::SoftShadows => "soft shadows",
             Self::Textures => "textures",
             Self::Antialiasing => "antialiasing",
         }

@@ -32,12 +32,12 @@ pub struct Plan<'a> {
     pub sight: Option<Sight<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     pub light_views: Vec<LightView<'a>>,
+    /// What each lamp has before it, in the order of the scene's surfaces.
+    pub lamp_views: Vec<LampView<'a>>,
     /// Whether any ray can meet a surface, for each of them.
     pub seen: Vec<bool>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
-    /// What each lamp has before it, in the order of the scene's surfaces.
-    pub lamp_views: Vec<LampView<'a>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// Whether anything is left out.
@@ -102,10 +102,10 @@ impl<'a> Plan<'a> {
         let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
-            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             camera,
             sight: sight.filter(|_| all_asked),
             light_views,
+            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
             surfaces,
             seen,
             unlit,

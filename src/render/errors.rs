@@ -91,6 +91,10 @@ impl Probe for Certificate {
         self.counts.occlusion_tests(light, count);
     }
 
+    fn lamp_tests(&mut self, count: u64) {
+        self.counts.lamp_tests(count);
+    }
+
     fn decisions(&mut self, decisions: Decisions) {
         self.counts.decisions(decisions);
     }

@@ -16,8 +16,6 @@ struct Lit<'a> {
     departure: &'a Departure<'a>,
     point: Point,
     normal: DVec3,
-    /// Which of the lamps lights it.
-    number: usize,
     /// From what the places of lamps are chosen that it asks.
     seed: u64,
 }
@@ -58,7 +56,6 @@ impl Tracer<'_> {
                     departure,
                     point: hit.point,
                     normal: hit.normal,
-                    number,
                     seed: scramble(seed).wrapping_add(number as u64),
                 };
                 light = light * self.share_of_lamp(entry, view, &lit, probe);
@@ -114,8 +111,7 @@ impl Tracer<'_> {
         probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);
-        let lights = self.plan.scene.lights.len();
-        probe.occlusion_tests(lights + lit.number, tests);
+        probe.lamp_tests(tests);
         passed
     }
 }

@@ -73,6 +73,8 @@ pub trait Probe {
     /// Surfaces that were asked whether they hide one of the scene's lights, or of its lamps, which
     /// are counted on from them.
     fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
+    /// Surfaces that were asked whether they hide a point of a lamp.
+    fn lamp_tests(&mut self, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
 }
@@ -99,7 +101,7 @@ pub struct Counts {
     pub capped_rays: u64,
     /// Surfaces that were asked whether a ray meets them.
     pub hit_tests: u64,
-    /// Surfaces that were asked whether they hide a light.
+    /// Surfaces that were asked whether they hide a light, or a point of a lamp.
     pub occlusion_tests: u64,
     /// What of that rounded values could not decide.
     pub decisions: Decisions,
@@ -180,6 +182,10 @@ impl Probe for Counts {
     }
 
     fn occlusion_tests(&mut self, _light: usize, count: u64) {
+        self.occlusion_tests += count;
+    }
+
+    fn lamp_tests(&mut self, count: u64) {
         self.occlusion_tests += count;
     }
 

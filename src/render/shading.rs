@@ -30,7 +30,7 @@ impl Tracer<'_> {
                 probe.light(index, Arrival::Unplanned);
                 continue;
             }
-            let Some(mut segment) = Segment::new(departure, light.location) else {
+            let Some(segment) = Segment::new(departure, light.location) else {
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);
@@ -38,7 +38,7 @@ impl Tracer<'_> {
                 probe.light(index, Arrival::Behind);
                 continue;
             }
-            let arrival = self.arrival((entry, hit), (index, light), view, &mut segment, probe);
+            let arrival = self.arrival((entry, hit), (index, light), view, &segment, probe);
             probe.light(index, arrival);
             let Arrival::Light {
                 color: arriving, ..
@@ -49,7 +49,7 @@ impl Tracer<'_> {
             let divisor = self.plan.scene.lighting.falloff.divisor(segment.length);
             color = (color + diffuse * arriving * (cosine / divisor)).saturated();
 
-            let material = &surface.common().material;
+            let material = &entry.common.material;
             let everything = self.plan.scope == Scope::Everything;
             if material.has_glints() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
@@ -64,18 +64,19 @@ impl Tracer<'_> {
     }
 
     /// What arrives from a light at the start of a segment to it.
+    #[inline(always)]
     fn arrival(
         &self,
         (entry, hit): (&Entry<'_>, &Hit),
         (index, light): (usize, &Light),
         view: &LightView<'_>,
-        segment: &mut Segment,
+        segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(leaving) = light.towards(segment) else {
+        let Some(leaving) = light.towards(-segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
-        let receives = entry.surface.common().shadows.receive;
+        let receives = entry.common.shadows.receive;
         if !(receives && view.can_be_hidden_from(entry, hit, &segment.ray)) {
             return Arrival::Light {
                 color: leaving,
@@ -83,9 +84,12 @@ impl Tracer<'_> {
             };
         }
         probe.ray(RayKind::Shadow, Rgb::WHITE);
-        segment.span = self.plan.camera.span(&segment.ray);
+        let segment = Segment {
+            span: self.plan.camera.span(&segment.ray),
+            ..*segment
+        };
         let mut tests = 0;
-        let passed = view.transmittance(entry, hit, segment, &mut tests);
+        let passed = view.transmittance(entry, hit, &segment, &mut tests);
         probe.occlusion_tests(index, tests);
         if passed.is_black() {
             return Arrival::Hidden;

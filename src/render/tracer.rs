@@ -121,25 +121,25 @@ impl<'a> Tracer<'a> {
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Some((entry, hit)) = met else {
+        let Some((entry, hit)) = &met else {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
-        let errors = path.errors.at(&hit);
-        probe.met(entry.index, &hit, errors);
+        let errors = path.errors.at(hit);
+        probe.met(entry.index, hit, errors);
         let surface = entry.surface;
-        let departure = entry.departure(ray, &hit);
+        let departure = entry.departure(ray, hit);
         let travelled = path.travelled + hit.t;
-        let mut local = self.local_color(ray, entry, &departure, &hit, probe);
+        let mut local = self.local_color(ray, entry, &departure, hit, probe);
         if !self.plan.lamp_views.is_empty() {
-            let light = self.lamplight(ray, entry, &departure, &hit, path.seed, probe);
+            let light = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
             local = (local + light).saturated();
         }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
 
-        let material = &surface.common().material;
+        let material = &entry.common.material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
         let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
@@ -165,7 +165,7 @@ impl<'a> Tracer<'a> {
             // Of two rays each may cost what it weighs: in glass both go on and on.
             let aside = budget.put_aside(1.0 - boundary.passing);
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
-                let share = surface.transmits(&hit) * boundary.passing;
+                let share = surface.transmits(hit) * boundary.passing;
                 let onward = (dir, boundary.beyond);
                 follow(share, onward, RayKind::Transmitted, budget, probe)
             });

@@ -255,12 +255,12 @@ impl Surface for Ellipsoid {
         self.image.as_ref().map(|image| &*image.texture)
     }
 
-    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
         let Some(image) = &self.image else {
-            return hit;
+            return *hit;
         };
         let on_sphere = direction(self.on_unit_sphere(&hit.point));
         let texel = globe::texel(image, on_sphere);
-        Hit { texel, ..hit }
+        Hit { texel, ..*hit }
     }
 }

@@ -143,8 +143,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
 
     /// The hit of a ray that is seen, completed with the colour of the surface's texture, and moved
     /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
-    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
-        hit
+    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
+        *hit
     }
 
     /// The ambient reflectivity at a hit.

@@ -235,9 +235,9 @@ impl Surface for Sphere {
         self.image.as_ref().map(|image| &*image.texture)
     }
 
-    fn settle(&self, hit: Hit, _ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
         let image = self.image.as_ref();
         let texel = image.map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal));
-        Hit { texel, ..hit }
+        Hit { texel, ..*hit }
     }
 }

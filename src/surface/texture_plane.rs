@@ -159,11 +159,11 @@ impl Surface for TexturePlane {
         Some(&self.image.texture)
     }
 
-    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
         let Rectangle { flat, frame, .. } = self.plane.rectangle();
         let exact = || frame.exact_offset(flat, ray);
         // The offset has the same roundings as the distance, and half as many again.
         let (uv, texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
-        Hit { uv, texel, ..hit }
+        Hit { uv, texel, ..*hit }
     }
 }

@@ -214,12 +214,12 @@ impl Surface for TiledPlane {
         self.plane.occludes(segment, end)
     }
 
-    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
         if self.start == TileStart::Course {
-            return hit;
+            return *hit;
         }
         let Some(flat) = self.plane.flat() else {
-            return hit;
+            return *hit;
         };
         let [x, y] = &self.grids;
         let exact = |axis: usize| {
@@ -232,7 +232,7 @@ impl Surface for TiledPlane {
             x.settled(hit.uv.x, doubt, || exact(0)),
             y.settled(hit.uv.y, doubt, || exact(1)),
         );
-        Hit { uv, ..hit }
+        Hit { uv, ..*hit }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

@@ -96,6 +96,7 @@ impl Texture {
     /// # Panics
     /// If there is no such texel.
     #[must_use]
+    #[inline]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
         let [r, g, b] = self.texels.channels[row * self.texels.width + column];
         let intensity = |channel| self.intensities[usize::from(channel)];

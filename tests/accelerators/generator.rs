@@ -80,8 +80,7 @@ struct Maker<'r> {
 
 impl Maker<'_> {
     fn number(&mut self, reach: f64) -> f64 {
-        let steps = (reach * 64.0) as i32;
-        f64::from(self.random.between(-steps, steps)) / 64.0
+        (self.random.signed() * reach * 64.0).round() / 64.0
     }
 
     fn point(&mut self, reach: f64) -> [f64; 3] {

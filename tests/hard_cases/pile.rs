@@ -26,6 +26,7 @@ pub(crate) fn pile(node: &Node, back_end: BackEnd) -> Answer {
         specular: Rgb::BLACK,
         shininess: 0.0,
         transparency: 0.0,
+        ior: None,
     });
     let made = (0..count).map(|_| {
         let common = Common::new(material.clone());

@@ -143,7 +143,7 @@ pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
 pub(super) fn hit(surface: &dyn Surface, origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
     let ray = ray(origin, direction);
     let hit = surface.hits(&ray, Span::AHEAD)?;
-    Some(surface.settle(hit, &ray))
+    Some(surface.settle(&hit, &ray))
 }
 
 /// Compares with a colour computed on paper; a few roundings are allowed.

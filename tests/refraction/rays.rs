@@ -70,7 +70,7 @@ impl Ball {
             offset: (outward + outward.signum()) * self.axes * 2.0,
         };
         let mut aim = vector(case, 3) * self.axes;
-        if case % 4 == 0 {
+        if case.is_multiple_of(4) {
             let across = direction(outward.cross(vector(case, 3)));
             aim = across * self.axes * (1.0 + scatter(case, 7) * 4e-16);
         }

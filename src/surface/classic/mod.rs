@@ -129,12 +129,12 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()
     }
 
-    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
         let texel = match &self.paint {
-            Paint::Own(anchor) => self.surface.settle(anchored(&hit, *anchor), ray).texel,
-            paint => paint.texel(&hit),
+            Paint::Own(anchor) => self.surface.settle(&anchored(hit, *anchor), ray).texel,
+            paint => paint.texel(hit),
         };
-        Hit { texel, ..hit }
+        Hit { texel, ..*hit }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

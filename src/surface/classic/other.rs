@@ -45,7 +45,7 @@ impl<T: Scalar> Surface for Other<'_, T> {
         self.hits(&segment.ray, before).is_some()
     }
 
-    fn settle(&self, hit: Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
         self.surface.settle(hit, ray)
     }
 
