@@ -138,11 +138,11 @@ impl<'a> LampView<'a> {
         self.list_of[entry.index].is_some()
     }
 
-    /// Whether anything can stand between the lamp and any surface.
+    /// Whether anything can stand between the lamp and some part of a surface, by its place in the
+    /// list.
     #[must_use]
-    pub fn can_be_hidden(&self) -> bool {
-        let mut lists = self.list_of.iter().flatten();
-        lists.any(|list| !self.lists[*list].is_empty())
+    pub fn can_be_hidden_from(&self, surface: usize) -> bool {
+        self.list_of[surface].is_some_and(|list| !self.lists[list].is_empty())
     }
 
     /// What may stand between the lamp and a hit of a surface, from which `ray` starts.

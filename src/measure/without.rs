@@ -14,7 +14,8 @@ use crate::texture::Texture;
 /// described, its nodes are changed, and their text is read.
 ///
 /// Mirrors and glints share `specular`, so without mirrors there are no glints either; glints alone
-/// are switched off by `shininess`.
+/// are switched off by `shininess`. What has an `ior` mirrors by it, so without mirrors it has none.
+/// Shadows and soft shadows are what surfaces receive, and go together.
 ///
 /// # Errors
 /// Refuses a scene that cannot be read again, because its textures cannot.
@@ -49,11 +50,10 @@ fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
 /// A node without what calls for an effect.
 fn off(node: Node, effect: Effect) -> Node {
     match effect {
-        Effect::Shadows => unshadowed(node),
-        Effect::Mirrors => with_number(node, "specular", 0.0),
+        Effect::Shadows | Effect::SoftShadows => unshadowed(node),
+        Effect::Mirrors => without_attribute(with_number(node, "specular", 0.0), "ior"),
         Effect::Transparency => with_number(node, "transparency", 0.0),
         Effect::Refraction => without_attribute(node, "ior"),
-        Effect::SoftShadows => with_number(node, "samples", 1.0),
         Effect::Glints => with_number(node, "shininess", 0.0),
         Effect::SpotCones => changed(node, &Cone::SCHEMA, &Light::SCHEMA),
         Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),

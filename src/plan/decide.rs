@@ -67,7 +67,13 @@ fn shadows(plan: &Plan<'_>) -> Decision {
 }
 
 fn soft_shadows(plan: &Plan<'_>) -> Decision {
-    let hidden = plan.lamp_views.iter().filter(|view| view.can_be_hidden());
+    let hidden = plan.lamp_views.iter().filter(|view| {
+        let mut receivers = surfaces(plan, |surface| {
+            let [_, diffuse] = surface.brightest();
+            surface.common().shadows.receive && diffuse > 0.0
+        });
+        receivers.any(|(index, _)| view.can_be_hidden_from(index))
+    });
     let causes: Vec<_> = hidden.map(|view| Cause::of_surface(view.lamp)).collect();
     let why = match (plan.lamp_views.len(), causes.len()) {
         (0, _) => "the scene has no lamps".to_owned(),
