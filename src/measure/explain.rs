@@ -181,7 +181,6 @@ impl EffectRow {
                 Effect::Mirrors => Some(counts.mirror_rays),
                 Effect::Transparency => Some(counts.transmitted_rays),
                 Effect::Antialiasing => Some(counts.camera_rays - pixels),
-                Effect::SoftShadows => Some(counts.lamp_rays),
                 Effect::Refraction
                 | Effect::Glints
                 | Effect::SpotCones
