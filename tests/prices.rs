@@ -88,7 +88,7 @@ fn a_scene_without_an_effect_does_not_call_for_it() {
                 seen.push(effect);
             }
             let gone = match effect {
-                Effect::Shadows | Effect::SoftShadows => counts.shadow_rays,
+                Effect::Shadows | Effect::SoftShadows => counts.shadow_rays + counts.lamp_rays,
                 Effect::Mirrors => counts.mirror_rays,
                 Effect::Transparency => counts.transmitted_rays,
                 _ => 0,
