@@ -177,10 +177,10 @@ impl EffectRow {
         Self {
             rays: match decision.effect {
                 Effect::Shadows => Some(counts.shadow_rays),
+                Effect::SoftShadows => Some(counts.lamp_rays),
                 Effect::Mirrors => Some(counts.mirror_rays),
                 Effect::Transparency => Some(counts.transmitted_rays),
                 Effect::Antialiasing => Some(counts.camera_rays - pixels),
-                Effect::SoftShadows => Some(counts.lamp_rays),
                 Effect::Refraction
                 | Effect::Glints
                 | Effect::SpotCones

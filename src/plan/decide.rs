@@ -12,6 +12,7 @@ pub(super) fn all(plan: &Plan<'_>) -> Vec<Decision> {
 fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
     match effect {
         Effect::Shadows => shadows(plan),
+        Effect::SoftShadows => soft_shadows(plan),
         Effect::Mirrors => of_surfaces(
             plan,
             effect,
@@ -36,7 +37,6 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
         Effect::Glints => glints(plan),
         Effect::SpotCones => of_lights(plan, effect, |light| matches!(light.beam, Beam::Cone(_))),
         Effect::Projectors => of_lights(plan, effect, |light| matches!(light.beam, Beam::Slide(_))),
-        Effect::SoftShadows => soft_shadows(plan),
         Effect::Textures => of_surfaces(
             plan,
             effect,
@@ -57,7 +57,8 @@ fn shadows(plan: &Plan<'_>) -> Decision {
     });
     let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
     let why = match (all, causes.len()) {
-        (0, _) => "the scene has no lights".to_owned(),
+        (0, _) if plan.lamp_views.is_empty() => "there is no light".to_owned(),
+        (0, _) => "there is no light but that of lamps".to_owned(),
         (_, 0) => "nothing can stand between a light and what it lights".to_owned(),
         (1, _) => "something can stand before the light".to_owned(),
         (all, some) => format!("something can stand before {some} of {all} lights"),
@@ -66,13 +67,12 @@ fn shadows(plan: &Plan<'_>) -> Decision {
 }
 
 fn soft_shadows(plan: &Plan<'_>) -> Decision {
-    let all = plan.lamp_views.len();
     let hidden = plan.lamp_views.iter().filter(|view| {
         let mut receivers = surfaces(plan, shows_shadows);
         receivers.any(|(index, _)| view.can_be_hidden_from(index))
     });
     let causes: Vec<_> = hidden.map(|view| Cause::of_surface(view.lamp)).collect();
-    let why = match (all, causes.len()) {
+    let why = match (plan.lamp_views.len(), causes.len()) {
         (0, _) => "the scene has no lamps".to_owned(),
         (_, 0) => "nothing can stand between a lamp and what it lights".to_owned(),
         (1, _) => "something can stand before the lamp".to_owned(),

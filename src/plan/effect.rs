@@ -12,6 +12,8 @@ use crate::surface::Surface;
 pub enum Effect {
     /// Surfaces that stand before lights.
     Shadows,
+    /// Surfaces that stand before lamps.
+    SoftShadows,
     /// Surfaces that show what is before them.
     Mirrors,
     /// Surfaces that let light through.
@@ -24,8 +26,6 @@ pub enum Effect {
     SpotCones,
     /// Lights that shine through a slide.
     Projectors,
-    /// Surfaces that stand before parts of lamps.
-    SoftShadows,
     /// Images on surfaces.
     Textures,
     /// Several rays through each pixel.
@@ -36,13 +36,13 @@ impl Effect {
     /// All of them, in the order in which they are explained.
     pub const ALL: [Self; 10] = [
         Self::Shadows,
+        Self::SoftShadows,
         Self::Mirrors,
         Self::Transparency,
         Self::Refraction,
         Self::Glints,
         Self::SpotCones,
         Self::Projectors,
-        Self::SoftShadows,
         Self::Textures,
         Self::Antialiasing,
     ];
@@ -52,13 +52,13 @@ impl Effect {
     pub fn title(self) -> &'static str {
         match self {
             Self::Shadows => "shadows",
+            Self::SoftShadows => "soft shadows",
             Self::Mirrors => "mirrors",
             Self::Transparency => "transparency",
             Self::Refraction => "refraction",
             Self::Glints => "glints",
             Self::SpotCones => "spot cones",
             Self::Projectors => "projectors",
-            Self::SoftShadows => "soft shadows",
             Self::Textures => "textures",
             Self::Antialiasing => "antialiasing",
         }

@@ -386,6 +386,10 @@ impl Surface for Lamp {
         self.surface().borders()
     }
 
+    fn slack(&self) -> f64 {
+        self.surface().slack()
+    }
+
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
         self.surface_mut().weld(plane, borders);
     }

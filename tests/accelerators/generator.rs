@@ -17,6 +17,7 @@ fn head(unit: f64, place: f64, size: [u32; 2]) -> String {
         material "chalk" {{ ambient 0.1; diffuse 0.5 }}
         material "red" {{ ambient 0.3 0.1 0.1; diffuse 0.5 0.1 0.1 }}
         material "pane" {{ ambient 0.1; diffuse 0.4 0.9 0.7; transparency 0.6 }}
+        material "glass" {{ ambient 0; diffuse 1; transparency 1; ior 1.5 }}
         material "mirror" {{ ambient 0; diffuse 0.1; specular 0.7 }}
         "#,
         size[0],
@@ -221,7 +222,8 @@ impl Maker<'_> {
 
     /// A sphere or an ellipsoid.
     fn ball(&mut self, center: [f64; 3]) {
-        let material = self.material();
+        let glass = self.random.once_in(3);
+        let material = if glass { "glass" } else { self.material() };
         let at = triple(center, self.unit, self.place);
         let radius = (0.75 + self.number(0.5)) * self.unit;
         let node = if self.random.once_in(2) {
