@@ -84,7 +84,7 @@ fn elisions(lists: &[List]) -> String {
         let [called, all] = [whole, everything].map(|effort| {
             let tests = effort.tests_per_shadow_ray();
             let tests = tests.map_or_else(|| "-".to_owned(), |tests| format!("{tests:.2}"));
-            let rays = effort.counts.shadow_rays;
+            let rays = effort.shadow_rays();
             format!("{rays} | {tests} | {}", effort.time)
         });
         let takes = everything.time.over(whole.time);

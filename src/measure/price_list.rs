@@ -53,7 +53,6 @@ impl Prices {
             ("everything", &self.everything, format!("× {takes:.2}")),
         ];
         for (what, effort, takes) in rows {
-            let counts = &effort.counts;
             let each = effort.tests_per_shadow_ray();
             let each = each.map_or_else(|| "-".to_owned(), |each| format!("{each:.2}"));
             // Writing to a String cannot fail.
@@ -61,8 +60,8 @@ impl Prices {
                 text,
                 "  {what:<14}{:>20}{takes:>9}{:>14}{:>14}{each:>8}",
                 effort.time.to_string(),
-                counts.shadow_rays,
-                counts.occlusion_tests,
+                effort.shadow_rays(),
+                effort.counts.occlusion_tests,
             );
         }
         let _ = writeln!(

@@ -50,17 +50,19 @@ pub struct Price {
 }
 
 impl Effort {
-    /// Surfaces that are asked for each ray to a light, on average; `None` without such rays.
+    /// Rays to lights and to points of lamps.
+    #[must_use]
+    pub fn shadow_rays(&self) -> u64 {
+        self.counts.shadow_rays + self.counts.lamp_rays
+    }
+
+    /// Surfaces that are asked for each such ray, on average; `None` without any.
     #[must_use]
     pub fn tests_per_shadow_ray(&self) -> Option<f64> {
-        let Counts {
-            shadow_rays,
-            occlusion_tests,
-            ..
-        } = self.counts;
         #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-        let (rays, tests) = (shadow_rays as f64, occlusion_tests as f64);
-        (shadow_rays > 0).then(|| tests / rays)
+        let [rays, tests] =
+            [self.shadow_rays(), self.counts.occlusion_tests].map(|count| count as f64);
+        (rays > 0.0).then(|| tests / rays)
     }
 }
 

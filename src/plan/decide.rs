@@ -52,7 +52,7 @@ fn shadows(plan: &Plan<'_>) -> Decision {
     let lights = plan.scene.lights.iter().zip(&plan.light_views);
     let all = lights.clone().count();
     let hidden = lights.filter(|(_, view)| {
-        let mut receivers = surfaces(plan, |surface| surface.common().shadows.receive);
+        let mut receivers = surfaces(plan, shows_shadows);
         receivers.any(|(index, _)| !view.casters_of(index).is_empty())
     });
     let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
@@ -68,10 +68,7 @@ fn shadows(plan: &Plan<'_>) -> Decision {
 
 fn soft_shadows(plan: &Plan<'_>) -> Decision {
     let hidden = plan.lamp_views.iter().filter(|view| {
-        let mut receivers = surfaces(plan, |surface| {
-            let [_, diffuse] = surface.brightest();
-            surface.common().shadows.receive && diffuse > 0.0
-        });
+        let mut receivers = surfaces(plan, shows_shadows);
         receivers.any(|(index, _)| view.can_be_hidden_from(index))
     });
     let causes: Vec<_> = hidden.map(|view| Cause::of_surface(view.lamp)).collect();
@@ -82,6 +79,12 @@ fn soft_shadows(plan: &Plan<'_>) -> Decision {
         (all, some) => format!("something can stand before {some} of {all} lamps"),
     };
     Decision::new(Effect::SoftShadows, why, causes)
+}
+
+/// Whether a shadow on a surface could be seen.
+fn shows_shadows(surface: &dyn Surface) -> bool {
+    let ([_, diffuse], common) = (surface.brightest(), surface.common());
+    common.shadows.receive && (diffuse > 0.0 || common.material.has_glints())
 }
 
 fn glints(plan: &Plan<'_>) -> Decision {
