@@ -243,6 +243,9 @@ impl Lamp {
                 let (sine, cosine) = ((at.x * seen).sqrt(), (1.0 - at.x * seen).sqrt());
                 let turn = 2.0 * PI * at.y;
                 let across = frame.x * libm::cos(turn) + frame.y * libm::sin(turn);
+                // So that a scene turned by half a turn about an axis is asked at the same places.
+                let is_turned = axis.x < 0.0 || axis.x == 0.0 && axis.y * axis.z < 0.0;
+                let across = if is_turned { -across } else { across };
                 let front = axis * cosine + across * sine;
                 let point = Point {
                     anchor: globe.center(),

@@ -186,7 +186,15 @@ fn only_the_rays_that_are_called_for() {
     );
     let matte = plane("diffuse 1", "");
     assert_eq!(count(&matte), [512, 0, 0, 0]);
-    assert_eq!(count(&[&matte, before].join("\n")), [512, 512, 0, 0]);
+    // Nothing can stand in the way, so no ray asks.
+    assert_eq!(count(&[&matte, before].join("\n")), [512, 0, 0, 0]);
+    // Something can for a part of the wall, so rays from there ask.
+    let near = "light { location 15 7 -1; emissivity 1 }";
+    let card = "finite-plane {
+        material \"m\"; point 13 6 -2; normal 0 0 1; xdir 1 0 0; dimensions 4 2 }";
+    let [_, asking, mirrored, through] = count(&[&matte, card, near].join("\n"));
+    assert!(0 < asking && asking < 256, "{asking}");
+    assert_eq!([mirrored, through], [0, 0]);
     assert_eq!(count(&[&matte, behind].join("\n")), [512, 0, 0, 0]);
     let backdrop = plane("diffuse 1", "shadows receive=#false");
     assert_eq!(count(&[&backdrop, before].join("\n")), [512, 0, 0, 0]);

@@ -7,7 +7,7 @@ use super::rooms::{Dice, rooms};
 use super::subject::{Subject, difference, fail_on};
 
 fn is_light(schema: &Schema) -> bool {
-    ["light", "spotlight", "projector"].contains(&schema.word)
+    ["light", "spotlight", "projector", "lamp"].contains(&schema.word)
 }
 
 /// The same nodes in another order, lights among themselves in the same (Fisher and Yates 1938,
