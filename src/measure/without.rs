@@ -114,10 +114,8 @@ fn with_one_sample(mut node: Node) -> Node {
 /// The scene that these nodes make, as text; textures that nothing wears any more are left out.
 fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, Refusal> {
     let nodes: Vec<_> = nodes.collect();
-    let worn: Vec<_> = nodes.iter().map(|node| image_of(node)).collect();
-    let is_idle = |node: &Node| {
-        node.schema == &Texture::SCHEMA && !worn.iter().any(|image| *image == node.name)
-    };
+    let worn: Vec<_> = nodes.iter().map(image_of).collect();
+    let is_idle = |node: &Node| node.schema == &Texture::SCHEMA && !worn.contains(&node.name);
     let text: String = nodes
         .iter()
         .filter(|node| !is_idle(node))
