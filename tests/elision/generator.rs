@@ -17,6 +17,7 @@ pub(crate) fn scene(seed: u64) -> String {
     maker.head();
     maker.materials();
     maker.lights();
+    maker.lamp();
     let surfaces = 3 + maker.random.below(5);
     for _ in 0..surfaces {
         maker.surface();
@@ -134,6 +135,24 @@ material "air" { diffuse 1; transparency 1; ior 1 }"#,
                 _ => self.line(&format!("light {{ {head} }}")),
             }
         }
+    }
+
+    /// A lamp that glows, now and then.
+    fn lamp(&mut self) {
+        if !self.random.once_in(3) {
+            return;
+        }
+        let (place, emissivity) = (self.point(3.0), self.random.pick(&["2", "9 5 4"]));
+        let shape = if self.random.once_in(3) {
+            format!("center {place}; radius {}", self.size(1.0))
+        } else {
+            let (normal, xdir) = self.axes();
+            let (width, height) = (self.size(2.0), self.size(2.0));
+            format!("point {place}; normal {normal}; xdir {xdir}; dimensions {width} {height}")
+        };
+        self.line(&format!(
+            "lamp {{ {shape}; emissivity {emissivity}; samples 5 }}"
+        ));
     }
 
     /// A normal and a direction of x at right angles to it.
