@@ -2,3 +2,5 @@
 
 #[path = "plan/tail.rs"]
 mod tail;
+#[path = "plan/zeros.rs"]
+mod zeros;
