@@ -247,7 +247,13 @@ impl Surface for Ellipsoid {
             let dir = ExactVector::from(dir).scaled(&stretch);
             way.scaled(&stretch).dot(&dir)
         };
-        let beyond = || is_beyond(parts.map(|part| self.in_ball(part)), self.in_ball(dir), exact);
+        let beyond = || {
+            is_beyond(
+                parts.map(|part| self.in_ball(part)),
+                self.in_ball(dir),
+                exact,
+            )
+        };
         (end == Side::Back || beyond()) && segment.span.contains(t)
     }
 

@@ -43,7 +43,7 @@ pub struct Lamp {
 #[derive(Debug, Clone)]
 enum Form {
     /// It shines on its front only; its back is black.
-    Pane(FinitePlane),
+    Pane(Box<FinitePlane>),
     /// It shines outward.
     Globe(Sphere),
 }
@@ -124,7 +124,8 @@ impl Lamp {
         let form = if is_pane(node)? {
             let [point, normal, xdir] = ["point", "normal", "xdir"].map(|word| node.triple(word));
             let size = node.pair("dimensions");
-            Form::Pane(FinitePlane::new(common, point, normal, xdir, size)?)
+            let pane = FinitePlane::new(common, point, normal, xdir, size)?;
+            Form::Pane(Box::new(pane))
         } else {
             let (center, radius) = (node.triple("center"), node.number("radius"));
             Form::Globe(Sphere::new(common, center, radius, None)?)
@@ -281,14 +282,14 @@ impl Lamp {
 
     fn surface(&self) -> &dyn Surface {
         match &self.form {
-            Form::Pane(pane) => pane,
+            Form::Pane(pane) => &**pane,
             Form::Globe(globe) => globe,
         }
     }
 
     fn surface_mut(&mut self) -> &mut dyn Surface {
         match &mut self.form {
-            Form::Pane(pane) => pane,
+            Form::Pane(pane) => &mut **pane,
             Form::Globe(globe) => globe,
         }
     }

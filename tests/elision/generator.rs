@@ -7,7 +7,7 @@ use crate::random::Random;
 
 /// The text of a scene: a function of its number alone.
 pub(crate) fn scene(seed: u64) -> String {
-    let mut random = Random::of(0x5ce7_e5, seed);
+    let mut random = Random::of(0x005c_e7e5, seed);
     let digits = !random.once_in(4);
     let mut maker = Maker {
         random,

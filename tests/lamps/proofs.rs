@@ -16,8 +16,13 @@ impl Random {
         (self.0 >> 11) as f64 / 9_007_199_254_740_992.0
     }
 
+    fn below(&mut self, end: usize) -> usize {
+        self.next();
+        usize::try_from(self.0 >> 33).expect("31 bits") % end
+    }
+
     fn pick<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[(self.next() * words.len() as f64) as usize]
+        words[self.below(words.len())]
     }
 
     /// Three numbers, often whole, so that things touch and lie in one plane.
@@ -62,7 +67,7 @@ impl Random {
              material \"glass\" {{ diffuse 0.2 1 0.4; transparency 0.5 }}\n\
              material \"mirror\" {{ diffuse 0.5; specular 0.5 }}\n"
         );
-        for _ in 0..1 + (self.next() * 2.0) as usize {
+        for _ in 0..1 + self.below(2) {
             let (place, axes) = (self.place(3.0), self.axes());
             text += &match self.pick(&["pane", "globe"]) {
                 "pane" => format!(
@@ -71,7 +76,7 @@ impl Random {
                 _ => format!("lamp {{ center {place}; radius 0.5; emissivity 3; samples 8 }}\n"),
             };
         }
-        for _ in 0..2 + (self.next() * 7.0) as usize {
+        for _ in 0..2 + self.below(7) {
             let (place, axes) = (self.place(3.0), self.axes());
             let material = self.pick(&["chalk", "chalk", "glass", "mirror"]);
             let normal = axes.split_once(';').expect("two parts").0;
