@@ -18,6 +18,15 @@ impl Accelerator {
     /// shadows, which have no lists of their own beyond 128 surfaces, ask all of them.
     pub const FEWEST: usize = 129;
 
+    /// What it is called.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::List => "list",
+            Self::Tree => "tree",
+        }
+    }
+
     /// What is best for this number of surfaces.
     #[must_use]
     pub fn for_count(count: usize) -> Self {

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::stats;
+use crate::accel::Accelerator;
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
 use crate::plan::{Effect, Unlit};
 
@@ -112,6 +113,12 @@ fn surfaces(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
     let all = explanation.surfaces.len();
     writeln!(out, "\nsurfaces")?;
     writeln!(out, "  {} of {all} can be met by a ray", seen.len())?;
+    writeln!(
+        out,
+        "  they are found by a {}; a tree pays from {} surfaces on",
+        explanation.accelerator,
+        Accelerator::FEWEST,
+    )?;
     let unseen = unseen.iter().map(|row| row.surface.title.clone());
     list(out, "nobody sees ", unseen.collect(), 2)
 }

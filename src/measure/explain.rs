@@ -24,6 +24,9 @@ pub struct Explanation {
     pub lights: Vec<LightRow>,
     /// The surfaces in file order.
     pub surfaces: Vec<SurfaceRow>,
+    /// How the surfaces that a ray may meet are found: by asking those of a `list`, or of a `tree` of
+    /// boxes.
+    pub accelerator: &'static str,
     /// The images in use.
     pub textures: Vec<TextureRow>,
     /// How much intensity a pixel may lack because rays are not followed for ever.
@@ -166,6 +169,7 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
                 bytes: size_of_val(texture.texels.channels.as_slice()),
             })
             .collect(),
+        accelerator: plan.surfaces.accelerator().word(),
         cut_off: scene.picture.cut_off,
         work,
     })
