@@ -9,7 +9,7 @@
 //!     dimensions 2 1
 //!     emissivity 12
 //! }
-//! # "#, [0.0, 0.0, -3.5], [0.0, 1.0, 0.0], Some(2.0));
+//! # "#, [0.0, 0.0, -2.5], [0.0, 1.0, 0.0], Some(2.0));
 //! # heliodon::doctest::surface(r#"
 //! lamp "globe" {
 //!     center 0 1 -4

@@ -188,18 +188,22 @@ fn only_the_rays_that_are_called_for() {
     assert_eq!(count(&matte), [512, 0, 0, 0]);
     // Nothing can stand in the way, so no ray asks.
     assert_eq!(count(&[&matte, before].join("\n")), [512, 0, 0, 0]);
-    // Something can for a part of the wall, so rays from there ask.
+    // Something can before the wall, so rays from there ask, but none from the card itself.
     let near = "light { location 15 7 -1; emissivity 1 }";
     let card = "finite-plane {
         material \"m\"; point 13 6 -2; normal 0 0 1; xdir 1 0 0; dimensions 4 2 }";
     let [_, asking, mirrored, through] = count(&[&matte, card, near].join("\n"));
-    assert!(0 < asking && asking < 256, "{asking}");
+    assert_eq!(asking, 512 - 3);
     assert_eq!([mirrored, through], [0, 0]);
     assert_eq!(count(&[&matte, behind].join("\n")), [512, 0, 0, 0]);
     let backdrop = plane("diffuse 1", "shadows receive=#false");
     assert_eq!(count(&[&backdrop, before].join("\n")), [512, 0, 0, 0]);
-    assert_eq!(count(&plane("specular 0.5", "")), [512, 0, 512, 0]);
-    assert_eq!(count(&plane("transparency 0.5", "")), [512, 0, 0, 512]);
+    // Where nothing has a colour, no ray can bring one back.
+    assert_eq!(count(&plane("specular 0.5", "")), [512, 0, 0, 0]);
+    let mirror = plane("ambient 1; specular 0.5", "");
+    assert_eq!(count(&mirror), [512, 0, 512, 0]);
+    let pane = plane("ambient 1; transparency 0.5", "");
+    assert_eq!(count(&pane), [512, 0, 0, 512]);
     assert_eq!(count(before), [512, 0, 0, 0]);
 }
 

@@ -9,9 +9,10 @@ use super::subject::{Subject, difference, fail_on};
 /// depends on how bright anything in the scene could be, seen or not.
 fn text(room: &Room) -> String {
     let text = room.subject.text();
-    assert!(text.contains(" samples=") && text.contains("; view-falloff "));
-    text.replacen(" samples=", " cut-off=0 samples=", 1)
-        .replacen("; view-falloff ", "; reach 40; view-falloff ", 1)
+    let (cut_off, falloff) = ("cut-off=0.00098", "view-falloff ");
+    assert!(text.contains(cut_off) && text.contains(falloff), "{text}");
+    text.replacen(cut_off, "cut-off=0", 1)
+        .replacen(falloff, "reach 40; view-falloff ", 1)
 }
 
 fn film(room: &Room) -> Film {
