@@ -61,7 +61,9 @@ impl Triangle {
         let [a, b, c] = vertices;
         let edge = |to: DVec3| Point::exact(to).exactly_from(a);
         let normal = edge(b).cross(&edge(c)).unit();
-        if normal == DVec3::ZERO {
+        // What the file says in decimals may be in line though the doubles next to them are not.
+        let meant = Blueprint::polygon(&vertices).normal;
+        if normal == DVec3::ZERO || meant.is_zero() {
             return Err(Refusal::new(
                 "vertex3",
                 "the three vertices lie on one line",
