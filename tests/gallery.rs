@@ -11,17 +11,19 @@ use std::path::PathBuf;
 
 use golden::{Complaint, compare, files, picture, repository, stem, updating};
 use heliodon::read::Options;
+use heliodon::scene::Setting;
 
 const GALLERY: &str = "docs/gallery";
 const FULL_SIZE: &str = "docs/gallery/full-size.txt";
 
 /// The size and samples of the gallery's pictures.
-const SMALL: Options = Options {
-    language: None,
-    size: Some([400, 300]),
-    samples: Some(4),
-    numerics: None,
-};
+fn small() -> Options {
+    Options {
+        size: Some([400, 300]),
+        settings: vec![Setting::new("samples", "4").expect("a setting")],
+        ..Options::default()
+    }
+}
 
 fn scenes() -> Vec<PathBuf> {
     let scenes =
@@ -41,7 +43,7 @@ fn every_scene_looks_like_its_golden() {
         let name = format!("{}.png", stem(&scene));
         let golden = repository(GALLERY).join(&name);
         let comparison = repository("target/gallery").join(&name);
-        picture(&scene, &SMALL)
+        picture(&scene, &small())
             .and_then(|actual| compare(&golden, &actual, &comparison))
             .err()
     });

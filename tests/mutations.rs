@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use heliodon::language::render_problems;
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::render;
+use heliodon::scene::Setting;
 use rayon::prelude::*;
 
 const CASES: u64 = 20_000;
@@ -251,7 +252,7 @@ fn run(seeds: &[Seed], index: u64) -> Outcome {
     let (text, directory) = mutated(seeds, index);
     let options = Options {
         size: Some([8, 6]),
-        samples: Some(1),
+        settings: vec![Setting::new("samples", "1").expect("a setting")],
         ..Options::default()
     };
     let mut outcome = Outcome::default();

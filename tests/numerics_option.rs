@@ -8,6 +8,7 @@ use golden::{files, picture, repository, stem};
 use heliodon::math::Numerics;
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::render;
+use heliodon::scene::Setting;
 use image::RgbImage;
 
 const SCENE: &str = r#"
@@ -38,7 +39,7 @@ fn every_scene_is_nearly_the_same_in_all_numerics() {
         let drawn = Numerics::ALL.map(|numerics| {
             let options = Options {
                 size: Some([160, 120]),
-                numerics: Some(numerics),
+                settings: vec![Setting::new("numerics", numerics.word()).expect("a setting")],
                 ..Options::default()
             };
             picture(scene, &options).expect("a picture")
@@ -71,7 +72,7 @@ fn the_option_replaces_what_the_scene_says() {
     assert_eq!(read(&said, &plain).picture.numerics, Numerics::ClassicF32);
     for numerics in Numerics::ALL {
         let told = Options {
-            numerics: Some(numerics),
+            settings: vec![Setting::new("numerics", numerics.word()).expect("a setting")],
             ..Options::default()
         };
         assert_eq!(read(&said, &told).picture.numerics, numerics);
@@ -92,9 +93,9 @@ fn only_robust_pictures_may_be_moved() {
         .replace("location 2", "location 1048578")
         .replace("point 0 0 0", "point 1048576 0 0")
         .replace("center 0", "center 1048576");
-    let film = |text: &str, numerics| {
+    let film = |text: &str, numerics: Numerics| {
         let options = Options {
-            numerics: Some(numerics),
+            settings: vec![Setting::new("numerics", numerics.word()).expect("a setting")],
             ..Options::default()
         };
         let scene = read(text, &options);

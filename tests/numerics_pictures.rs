@@ -9,6 +9,7 @@ use heliodon::language::{Node, Takes, Value};
 use heliodon::math::Numerics::{self, Classic, ClassicF32, Robust};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
+use heliodon::scene::Setting;
 use image::{Rgb, RgbImage, imageops};
 
 const FOLDER: &str = "docs/numerics";
@@ -158,7 +159,7 @@ fn wall() -> String {
 
 fn picture(text: &str, numerics: Numerics, size: Option<[u32; 2]>) -> RgbImage {
     let options = Options {
-        numerics: Some(numerics),
+        settings: vec![Setting::new("numerics", numerics.word()).expect("a setting")],
         size,
         ..Options::default()
     };

@@ -4,6 +4,7 @@ mod bug;
 mod certificate;
 mod check;
 mod convert;
+mod dials;
 mod dump;
 mod explain;
 mod explanation;
@@ -24,7 +25,6 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::film::Format;
-use crate::math::Numerics;
 use crate::read::Language;
 use messages::Messages;
 use status::Status;
@@ -117,27 +117,6 @@ impl FormatWord {
             Self::Kdl => Some(Language::Kdl),
             Self::Course => Some(Language::Course),
             _ => None,
-        }
-    }
-}
-
-/// What decides where rays meet surfaces.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum NumericsWord {
-    /// No offset and no tolerance.
-    Robust,
-    /// The chapter's own algorithm in 64-bit floats, with a small offset.
-    Classic,
-    /// The same in 32-bit floats.
-    ClassicF32,
-}
-
-impl NumericsWord {
-    fn numerics(self) -> Numerics {
-        match self {
-            Self::Robust => Numerics::Robust,
-            Self::Classic => Numerics::Classic,
-            Self::ClassicF32 => Numerics::ClassicF32,
         }
     }
 }

@@ -7,10 +7,11 @@ use std::time::Instant;
 use clap::Args;
 
 use super::certificate::{self, Report};
+use super::dials::Dials;
 use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
-use super::{FormatWord, NumericsWord, Status, input, progress, stats};
+use super::{FormatWord, Status, input, progress, stats};
 use crate::film::{Film, Format, Notes, save};
 use crate::language::{Problem, Refusal};
 use crate::plan::Scope;
@@ -35,12 +36,8 @@ pub(super) struct Options {
     /// Size of the picture in pixels, such as 800x600, instead of the scene's.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
-    /// Rays through each pixel, instead of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Picture::MOST_SAMPLES)))]
-    samples: Option<u32>,
-    /// What decides where rays meet surfaces, instead of the scene's.
-    #[arg(long, value_name = "WORD", value_enum)]
-    numerics: Option<NumericsWord>,
+    #[command(flatten)]
+    dials: Dials,
     /// Threads to render with; all processors if not given.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -119,8 +116,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let reader = read::Options {
         language: languages.first().copied(),
         size: options.size,
-        samples: options.samples,
-        numerics: options.numerics.map(NumericsWord::numerics),
+        settings: options.dials.settings(),
     };
     let one = |(scene, output): (&PathBuf, &Output)| {
         let made = picture(scene, output, &reader, options, &pool, messages);

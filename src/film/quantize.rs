@@ -11,6 +11,27 @@ pub enum Rounding {
 }
 
 impl Rounding {
+    /// All of them, the default first.
+    pub const ALL: [Self; 2] = [Self::Nearest, Self::Truncate];
+    /// Their words in a scene and on the command line, in the same order.
+    pub const WORDS: [&'static str; 2] = ["round", "truncate"];
+
+    /// The word for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Nearest => Self::WORDS[0],
+            Self::Truncate => Self::WORDS[1],
+        }
+    }
+
+    /// The rounding with this word.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|rounding| rounding.word() == word)
+    }
+
     /// The code value from 0 to `largest` for an intensity; clamped, and 0 for not-a-number.
     ///
     /// `largest` is one less than a power of two: all bits of the format set.

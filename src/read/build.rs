@@ -71,12 +71,14 @@ pub(super) fn scene(
             .ok()
     });
     let lighting = sound(nodes, &Lighting::SCHEMA, &files, problems);
-    let picture = picture.map(|picture| Picture {
-        width: options.size.map_or(picture.width, |[width, _]| width),
-        height: options.size.map_or(picture.height, |[_, height]| height),
-        samples: options.samples.unwrap_or(picture.samples),
-        numerics: options.numerics.unwrap_or(picture.numerics),
-        ..picture
+    let picture = picture.map(|picture| {
+        let [width, height] = options.size.unwrap_or([picture.width, picture.height]);
+        let sized = Picture {
+            width,
+            height,
+            ..picture
+        };
+        options.settings.iter().fold(sized, Picture::with)
     });
 
     let mut materials = Vec::new();

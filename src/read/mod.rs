@@ -19,8 +19,7 @@ mod unknown;
 use std::path::{Path, PathBuf};
 
 use crate::language::{Problem, Schema, Severity, Source, Sources};
-use crate::math::Numerics;
-use crate::scene::Scene;
+use crate::scene::{Scene, Setting};
 use kdl::Nodes;
 
 pub use files::{Files, bytes_from};
@@ -29,16 +28,14 @@ pub use files::{Files, bytes_from};
 pub const MOST_ERRORS: usize = 20;
 
 /// What the reader is told beside the text.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
     /// The language; recognised by content if not given.
     pub language: Option<Language>,
     /// A picture size that replaces the scene's.
     pub size: Option<[u32; 2]>,
-    /// A number of samples that replaces the scene's.
-    pub samples: Option<u32>,
-    /// Numerics that replace the scene's.
-    pub numerics: Option<Numerics>,
+    /// What holds of the picture instead of what the scene says.
+    pub settings: Vec<Setting>,
 }
 
 /// The languages that scenes are written in.

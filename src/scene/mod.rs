@@ -2,10 +2,12 @@
 
 mod lighting;
 mod picture;
+mod setting;
 mod write;
 
 pub use lighting::{Falloff, Lighting};
 pub use picture::Picture;
+pub use setting::Setting;
 
 use std::sync::Arc;
 

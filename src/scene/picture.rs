@@ -1,5 +1,6 @@
 //! The picture's size and how its pixels are made.
 
+use super::Setting;
 use crate::film::Rounding;
 use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
 use crate::math::Numerics;
@@ -30,8 +31,6 @@ impl Picture {
     /// The most rays through one pixel.
     pub const MOST_SAMPLES: u32 = 65_536;
 
-    const ROUNDINGS: [&'static str; 2] = ["round", "truncate"];
-
     /// The `image` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "image",
@@ -54,7 +53,7 @@ impl Picture {
             .or(Default::Number(1.0)),
             Attribute::new(
                 "quantize",
-                Takes::Word(&Self::ROUNDINGS),
+                Takes::Word(&Rounding::WORDS),
                 "to the nearest code value, or to the next lower one",
             )
             .or(Default::Word("round")),
@@ -99,48 +98,54 @@ impl Picture {
     /// # Errors
     /// Refuses a picture that is too large.
     pub fn from_node(node: &Node) -> Result<Self, Refusal> {
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "the schema allows whole numbers only"
-        )]
-        #[expect(clippy::cast_sign_loss, reason = "and only positive ones")]
-        let whole = |number: f64| number as u32;
-        let number = |word| node.property(word).map_or(0.0, |value| value.number());
         let size = node.value.as_ref().map_or(glam::DVec2::ONE, Value::pair);
-        let truncate = node
-            .property("quantize")
-            .is_some_and(|word| word.text() == "truncate");
         let (width, height) = (whole(size.x), whole(size.y));
         Self::check_size([width, height])?;
-        Ok(Self {
+        Ok(Self::with_properties([width, height], node))
+    }
+
+    /// The same picture with another setting.
+    #[must_use]
+    pub fn with(self, setting: &Setting) -> Self {
+        let mut node = self.describe();
+        let mut properties = node.properties.iter_mut();
+        let property = properties.find(|entry| entry.attribute.word == setting.word());
+        if let Some(property) = property {
+            property.value = Some(setting.value().clone());
+        }
+        Self::with_properties([self.width, self.height], &node)
+    }
+
+    fn with_properties([width, height]: [u32; 2], node: &Node) -> Self {
+        let number = |word| node.property(word).map_or(0.0, |value| value.number());
+        let word = |word| node.property(word).unwrap_or_else(|| "".into());
+        Self {
             width,
             height,
             samples: whole(number("samples")),
-            rounding: if truncate {
-                Rounding::Truncate
-            } else {
-                Rounding::Nearest
-            },
+            rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
-            numerics: node
-                .property("numerics")
-                .and_then(|word| Numerics::from_word(word.text()))
-                .unwrap_or_default(),
-        })
+            numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
+        }
     }
 
     /// The settings as a node of the scene language.
     #[must_use]
     pub fn describe(&self) -> Node {
-        let rounding = match self.rounding {
-            Rounding::Nearest => Self::ROUNDINGS[0],
-            Rounding::Truncate => Self::ROUNDINGS[1],
-        };
         Node::new(&Self::SCHEMA, None)
             .value([f64::from(self.width), f64::from(self.height)])
             .with_property("samples", f64::from(self.samples))
-            .with_property("quantize", rounding)
+            .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())
     }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the schema allows positive whole numbers only"
+)]
+fn whole(number: f64) -> u32 {
+    number as u32
 }

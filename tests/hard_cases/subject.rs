@@ -8,7 +8,7 @@ use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, Rejection, read_bytes};
 use heliodon::render::{Counts, drawn, render};
-use heliodon::scene::Scene;
+use heliodon::scene::{Scene, Setting};
 use heliodon::surface::{Hit, Surface, classic};
 
 use crate::cases;
@@ -47,7 +47,7 @@ impl BackEnd {
 
     fn options(self) -> Options {
         Options {
-            numerics: Some(self.numerics()),
+            settings: vec![Setting::new("numerics", self.numerics().word()).expect("a setting")],
             ..Options::default()
         }
     }

@@ -1,0 +1,47 @@
+//! The accuracy dials: what of the picture the command line says instead of the scene.
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use crate::film::Rounding;
+use crate::math::Numerics;
+use crate::scene::Setting;
+
+/// Settings of the `image` node.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Accuracy, instead of what the scene says")]
+pub(super) struct Dials {
+    /// Rays through each pixel.
+    #[arg(long, value_name = "N", value_parser = number("samples"))]
+    samples: Option<Setting>,
+    /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
+    #[arg(long, value_name = "X", value_parser = number("cut-off"))]
+    cut_off: Option<Setting>,
+    /// How intensities become code values.
+    #[arg(long, value_name = "WORD", value_parser = word("quantize", &Rounding::WORDS))]
+    quantize: Option<Setting>,
+    /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
+    #[arg(long, value_name = "WORD", value_parser = word("numerics", &Numerics::WORDS))]
+    numerics: Option<Setting>,
+}
+
+impl Dials {
+    /// What is said, in the order of the fields.
+    pub(super) fn settings(&self) -> Vec<Setting> {
+        let all = [&self.samples, &self.cut_off, &self.quantize, &self.numerics];
+        all.into_iter().flatten().cloned().collect()
+    }
+}
+
+/// A number for a property of the picture.
+fn number(property: &'static str) -> impl TypedValueParser<Value = Setting> {
+    clap::builder::StringValueParser::new().try_map(move |text| Setting::new(property, &text))
+}
+
+/// A word for a property of the picture.
+fn word(
+    property: &'static str,
+    words: &'static [&'static str],
+) -> impl TypedValueParser<Value = Setting> {
+    PossibleValuesParser::new(words).try_map(move |text| Setting::new(property, &text))
+}

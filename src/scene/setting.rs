@@ -1,0 +1,88 @@
+//! One setting of the picture, from outside of the scene file.
+
+use super::Picture;
+use crate::language::{Attribute, Takes, Value, did_you_mean};
+
+/// A property of the `image` node and a value that it may have: what the command line says instead
+/// of the scene, or one step of a dial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    attribute: &'static Attribute,
+    value: Value,
+}
+
+impl Setting {
+    /// The property with this word, set to what stands in a text.
+    ///
+    /// # Errors
+    /// Tells what was expected if the `image` node has no such property, or it no such value.
+    pub fn new(word: &str, text: &str) -> Result<Self, String> {
+        let properties = Picture::SCHEMA.properties;
+        let known = properties.iter().find(|property| property.word == word);
+        let attribute = known.ok_or_else(|| {
+            let words = || properties.iter().map(|property| property.word);
+            let list: Vec<_> = words().collect();
+            let found = did_you_mean(word, words());
+            let hint = found.map_or(String::new(), |word| format!("; did you mean {word:?}?"));
+            format!("expected one of {}{hint}", list.join(", "))
+        })?;
+        let value = match attribute.takes {
+            Takes::Number(range) => {
+                let number = text.trim().parse().ok();
+                let number = number.filter(|number| range.contains(*number));
+                number.map(Value::Number)
+            }
+            Takes::Word(words) => words.contains(&text).then(|| Value::from(text)),
+            _ => None,
+        };
+        let value = value.ok_or_else(|| format!("expected {}", attribute.takes.words()))?;
+        Ok(Self { attribute, value })
+    }
+
+    /// The property's word.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        self.attribute.word
+    }
+
+    /// What it is set to.
+    #[must_use]
+    pub fn value(&self) -> &Value {
+        &self.value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_setting_is_what_the_scene_could_say() {
+        let setting = |word, text| Setting::new(word, text).map(|it| it.value);
+        assert_eq!(setting("samples", "16"), Ok(Value::Number(16.0)));
+        assert_eq!(setting("numerics", "classic"), Ok(Value::from("classic")));
+        for (word, text, expected) in [
+            ("samples", "0", "expected a whole number from 1 to 65536"),
+            ("samples", "2.5", "expected a whole number from 1 to 65536"),
+            ("samples", "many", "expected a whole number from 1 to 65536"),
+            ("cut-off", "nan", "expected a number from 0 to 1"),
+            ("quantize", "up", "expected \"round\" or \"truncate\""),
+        ] {
+            assert_eq!(setting(word, text), Err(expected.to_owned()));
+        }
+        let unknown = setting("sample", "4").expect_err("no such word");
+        assert!(unknown.ends_with("did you mean \"samples\"?"), "{unknown}");
+    }
+
+    #[test]
+    fn every_property_of_the_picture_can_be_set() {
+        for property in Picture::SCHEMA.properties {
+            let text = match property.takes {
+                Takes::Word(words) => words[0],
+                _ => "1",
+            };
+            let setting = Setting::new(property.word, text);
+            assert!(setting.is_ok(), "{}: {setting:?}", property.word);
+        }
+    }
+}
