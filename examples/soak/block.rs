@@ -1,12 +1,14 @@
 //! One block of rays: what a thread does at a time.
 
+use glam::DVec3;
 use heliodon::accel::SurfaceList;
+use heliodon::math::{Point, Ray, Span, unit};
 
 use super::cases;
 use super::decisions::{self, Tallies};
 use super::floors::Floor;
 use super::options::{Kind, Options};
-use super::random::Random;
+use super::random::{Random, Style};
 use super::rooms::Room;
 use super::tally::Tally;
 
@@ -25,6 +27,7 @@ pub(crate) fn run(options: &Options, block: u64) -> Tally {
         Kind::Bounces => bounces(&mut random),
         Kind::Oracle => oracle(&mut random),
         Kind::Spheres => spheres(&mut random),
+        Kind::Random => undirected(&mut random),
     }
 }
 
@@ -99,6 +102,22 @@ fn spheres(random: &mut Random) -> Tally {
     for _ in 0..BLOCK {
         let (surface, ray) = cases::far_and_round(random);
         decisions::check_meeting(&*surface, &ray, &mut tally, &mut |_, _| ());
+    }
+    tally
+}
+
+fn undirected(random: &mut Random) -> Tally {
+    let mut tally = Tally::default();
+    for _ in 0..SCENES {
+        let surface = cases::surface(random, Style::Uniform, 1.0);
+        tally.observe_within(|tally| {
+            for _ in 0..BLOCK / SCENES {
+                let dir = unit(random.cube()).unwrap_or(DVec3::X);
+                let ray = Ray::new(Point::exact(random.cube() * 4.0), dir);
+                tally.cases += 1;
+                tally.positive += u64::from(surface.hits(&ray, Span::AHEAD).is_some());
+            }
+        });
     }
     tally
 }

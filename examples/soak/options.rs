@@ -45,6 +45,9 @@ pub(crate) enum Kind {
     /// At spheres and ellipsoids as far away as 1e10 radii and with axes 1e6 times as long as
     /// others, against rational numbers.
     Spheres,
+    /// In any direction from anywhere at one surface of any kind: how many cannot be decided by
+    /// rounded values.
+    Random,
 }
 
 impl Options {

@@ -230,7 +230,7 @@ impl Flat {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::unit;
+    use crate::math::{Departure, unit};
 
     fn floor() -> Flat {
         Flat::new(DVec3::ZERO, DVec3::new(0.0, 3.0, 0.0)).expect("a plane")
@@ -262,5 +262,35 @@ mod tests {
     fn a_ray_from_the_plane_misses_it_and_one_from_a_denormal_below_hits() {
         assert_eq!(hits([0.0, 0.0, 0.0], [0.0, 1.0, 0.0]), None);
         assert_eq!(hits([0.0, -5e-324, 0.0], [0.0, 1.0, 0.0]), Some(5e-324));
+    }
+
+    #[test]
+    fn a_plane_that_is_welded_decides_by_the_other_however_far_it_is_apart() {
+        let own = Flat::new(DVec3::new(0.0, 1e-10, 0.0), DVec3::Y).expect("a plane");
+        let welded = own.welded(&floor());
+        let between = Point::exact(DVec3::new(0.0, 5e-11, 0.0));
+        assert_eq!(
+            (own.side(&between), welded.side(&between)),
+            (Side::Back, Side::Front)
+        );
+        let down = Ray::new(between, DVec3::NEG_Y);
+        assert!(own.crossing(&down).is_none() && welded.crossing(&down).is_some());
+    }
+
+    #[test]
+    fn a_ray_that_has_passed_a_pane_next_to_a_wall_does_not_meet_it_again() {
+        let (pane, wall) = (floor(), Flat::new(DVec3::ZERO, DVec3::X).expect("a wall"));
+        let down = unit(DVec3::new(-1.0, -1.0, 0.0)).expect("a direction");
+        let eye = Ray::new(Point::exact(DVec3::new(1.0, 1.0, 0.0)), down);
+        let met = |x, y| Point {
+            anchor: DVec3::ZERO,
+            offset: DVec3::new(x, y, 0.0),
+        };
+        // Both places are within rounding of the edge.
+        let passed = Departure::new((None, Some(&pane)), &eye, met(1e-17, 0.0), 1e-16);
+        let behind = Ray::leaving(&passed, down);
+        let mirrored = Departure::new((None, Some(&wall)), &behind, met(0.0, -1e-17), 1e-16);
+        let away = Ray::leaving(&mirrored, behind.mirrored(wall.normal));
+        assert!(pane.crossing(&away).is_none());
     }
 }

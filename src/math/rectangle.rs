@@ -152,7 +152,7 @@ impl Rectangle {
         let moment = ray.dir.cross(crossing.origin);
         let scale = crossing.slope.abs();
         let sign = if crossing.rises { 1.0 } else { -1.0 };
-        let doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
+        let mut doubt = MOMENT_PER_HEIGHT * crossing.doubt + self.slack;
         let exactly = || {
             let corners = || self.exact_corners().into();
             // A copy, so that the crossing itself need not be in memory where there is no doubt.
@@ -162,7 +162,10 @@ impl Rectangle {
         let x = self.frame.y.dot(moment) * sign;
         let y = -self.frame.x.dot(moment) * sign;
         if crossing.is_delicate() {
-            return exactly().then(|| DVec2::new(x, y));
+            if crossing.at_start.is_some() {
+                return exactly().then(|| DVec2::new(x, y));
+            }
+            doubt = self.doubt_along_plane(doubt, DVec2::new(x, y), scale);
         }
         let beyond_x = self.size.x * scale - x;
         if x < -doubt || beyond_x < -doubt {
@@ -175,6 +178,20 @@ impl Rectangle {
         let certain = x > doubt && beyond_x > doubt && y > doubt && beyond_y > doubt;
         let inside = if certain { true } else { exactly() };
         inside.then(|| DVec2::new(x, y))
+    }
+
+    /// What the scaled place of a crossing is off by for a ray nearly along the plane, whose borders are
+    /// decided in the plane, if it is off by `doubt` for others.
+    ///
+    /// With the crossing `p` and the ray's part `d'` along the plane, `a·(d × p)` is the distance from the
+    /// border in the plane, times `D`, plus `a·(d' × p)`. The latter is at most the height of the border's
+    /// point above the plane, and for each unit from there to the crossing what the border rises: no more
+    /// than from one end to the other of the shortest side, if at both it is as far off as it can be.
+    #[cold]
+    fn doubt_along_plane(&self, doubt: f64, scaled: DVec2, scale: f64) -> f64 {
+        let far = scaled.abs().element_sum() / scale + self.size.element_sum();
+        let rise = 2.0 * self.slack / self.size.min_element();
+        2.0 * doubt + self.slack + rise * far
     }
 
     /// How far at most the lines that decide lie from its own borders and its plane.

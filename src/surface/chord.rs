@@ -262,6 +262,8 @@ mod tests {
         assert_eq!(entry([0.0, 0.0, 5.0]), Some(4.0));
         assert_eq!(entry([1.0, 0.0, 5.0]), None);
         assert_eq!(entry([0.0, 0.0, 0.0]), None);
+        // On the ball itself the distance is zero, which does not count.
+        assert_eq!(entry([0.0, 0.0, 1.0]), None);
         assert_eq!(entry([0.0, 0.0, -5.0]), None);
     }
 

@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
-use crate::math::band::{MOMENT, UNDERFLOW};
+use crate::math::band::{EXTENT, MOMENT, UNDERFLOW};
 use crate::math::exact::{Distance, ExactVector};
 use crate::math::{
     Blueprint, Crossing, Flat, Line, Point, Ray, Rgb, Segment, Side, Span, inside_all,
@@ -96,20 +96,37 @@ impl Triangle {
             let corners = || self.vertices.map(ExactVector::from).into();
             inside_all(&self.borders, corners, ray, &self.flat, crossing)
         };
-        if crossing.is_delicate() {
+        if crossing.at_start.is_some() {
             return exactly();
         }
+        let along_plane = crossing.grazing.is_some();
         let mut certain = true;
         for (vertex, edge) in self.vertices.into_iter().zip(self.edges) {
             let (origin, size) = ray.origin.seen_from(vertex);
             let side = edge.dot(ray.dir.cross(origin)) * sign;
-            let doubt = (MOMENT * size + self.slack) * edge.abs().element_sum() + UNDERFLOW;
+            let length = edge.abs().element_sum();
+            let mut doubt = (MOMENT * size + self.slack) * length + UNDERFLOW;
+            if along_plane {
+                doubt = 2.0 * doubt + self.rise(edge, size + crossing.distance());
+            }
             if side < -doubt {
                 return false;
             }
             certain &= side > doubt;
         }
         certain || exactly()
+    }
+
+    /// What the side of an edge is off by for a ray nearly along the plane that crosses it so far
+    /// from a vertex at most, because the edge is decided in the plane.
+    ///
+    /// As on a rectangle this is the height of the edge above the plane, there, times its length. The
+    /// vertices lie off the plane by the rounding of the normal, and by what the plane is welded to.
+    #[cold]
+    fn rise(&self, edge: DVec3, far: f64) -> f64 {
+        let length = edge.abs().element_sum();
+        let around: f64 = self.edges.iter().map(|edge| edge.abs().element_sum()).sum();
+        (EXTENT * length + 2.0 * self.slack) * far + (EXTENT * around + self.slack) * length
     }
 }
 
