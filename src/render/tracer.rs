@@ -158,18 +158,27 @@ impl<'a> Tracer<'a> {
             }
             Probe::ray(probe, kind, share);
             let next = Ray::leaving(&departure, dir);
+            // What nothing called for must not move, by so much as a rounding, what others may spend.
+            let mut nothing = Budget {
+                rays: 0,
+                light: 0.0,
+            };
+            let budget = if uncalled { &mut nothing } else { budget };
             share * self.trace(&next, &path, budget, probe)
         };
         color = color * boundary.passing;
         if material.transparency > 0.0 || everything {
             // Of two rays each may cost what it weighs: in glass both go on and on.
-            let aside = budget.put_aside(1.0 - boundary.passing);
+            let is_called = material.transparency > 0.0;
+            let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(hit) * boundary.passing;
                 let onward = (dir, boundary.beyond);
                 follow(share, onward, RayKind::Transmitted, budget, probe)
             });
-            budget.take_back(aside);
+            if let Some(aside) = aside {
+                budget.take_back(aside);
+            }
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
