@@ -77,6 +77,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
+    #[inline]
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
