@@ -49,6 +49,7 @@ impl<'a> Sight<'a> {
     /// The surface that a ray from the eye through a place of the picture meets first; as
     /// [`SurfaceList::nearest`].
     #[must_use]
+    #[inline]
     pub fn nearest(
         &self,
         [x, y]: [f64; 2],

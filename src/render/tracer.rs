@@ -77,6 +77,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
+    #[inline]
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
@@ -128,20 +129,33 @@ impl<'a> Tracer<'a> {
         let errors = path.errors.at(hit);
         probe.met(entry.index, hit, errors);
         let surface = entry.surface;
-        let departure = entry.departure(ray, hit);
+        let material = &entry.common.material;
         let travelled = path.travelled + hit.t;
+        let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
+        let everything = self.plan.scope == Scope::Everything;
+        let sends_on = material.sends_on() || everything;
+        if !sends_on && self.plan.is_unlit() {
+            // No ray leaves here, so nothing has to be known of rays that would.
+            let color = (surface.getamb(hit) / divisor).saturated();
+            probe.own_color(color);
+            probe.came_back(color);
+            return color;
+        }
+        let departure = entry.departure(ray, hit);
         let mut local = self.local_color(ray, entry, &departure, hit, probe);
         if !self.plan.lamp_views.is_empty() {
             let light = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
             local = (local + light).saturated();
         }
-        let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
         probe.own_color(color);
+        if !sends_on {
+            probe.came_back(color);
+            return color;
+        }
 
-        let material = &entry.common.material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
-        let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
+        let everything = everything && path.weight > 0.0;
         let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
             let path = Path {
                 travelled,
