@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
+use rayon::prelude::*;
 
 use super::certificate::{self, Report};
 use super::dials::Dials;
@@ -12,8 +13,9 @@ use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Film, Format, Notes, save};
+use crate::film::{Notes, Print, save};
 use crate::language::{Problem, Refusal};
+use crate::math::Rgb;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
@@ -173,27 +175,29 @@ fn picture<'a>(
     let rendered = pool.install(|| {
         if options.certify {
             let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
-            return Ok((film, certificate.counts, Some(certificate)));
+            let report = certificate::report(&certificate, &read, &film);
+            let print = Print::of(&film, output.format, read.picture.rounding);
+            let print = print.ok_or_else(|| render::no_memory(&read.picture))?;
+            return Ok((print, certificate.counts, Some(report)));
         }
-        let (film, counts) = render::observed(&read, scope, &progress)?;
-        Ok((film, counts, None))
+        let (print, counts) = render::printed(&read, scope, output.format, &progress)?;
+        Ok((print, counts, None))
     });
     bar.finish_and_clear();
-    let (mut film, counts, certificate) = rendered.map_err(|refusal: Refusal| {
+    let (mut print, counts, certificate) = rendered.map_err(|refusal: Refusal| {
         Failure::new(
             Status::BadInput,
             format!("{title}: {}", refusal.reason),
             messages,
         )
     })?;
-    inject_fault(&mut film);
+    inject_fault(&mut print);
     let hash = read.hash();
-    write(&film, &read, &hash, output).map_err(|error| {
+    write(&print, &read, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
         Failure::new(Status::Io, error, messages)
     })?;
-    let status = non_finite(&film, &title, messages);
-    let certificate = certificate.map(|it| certificate::report(&it, &read, &film));
+    let status = non_finite(&print, &title, messages);
     Ok(Done {
         stats: options.stats,
         certificate,
@@ -282,7 +286,7 @@ impl Done<'_> {
     }
 }
 
-fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
+fn write(print: &Print, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
     let notes = Notes(vec![
         (
@@ -292,13 +296,11 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
         ("Settings", settings.trim_end().to_owned()),
         ("Scene hash", hash.to_owned()),
     ]);
-    let rounding = scene.picture.rounding;
-    let format: Format = output.format;
     match &output.path {
-        Some(path) => save(path, |out| film.write(out, format, rounding, &notes)),
+        Some(path) => save(path, |out| print.write(out, &notes)),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = film.write(&mut out, format, rounding, &notes);
+            let written = print.write(&mut out, &notes);
             match written.and_then(|()| out.flush()) {
                 // A reader that has seen enough is no error.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -310,17 +312,21 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
 
 /// Spoils a pixel if the environment asks for it, so that a test can see what the program does
 /// about a fault that it ought not to have.
-fn inject_fault(film: &mut Film) {
+fn inject_fault(print: &mut Print) {
     let asked = std::env::var_os("HELIODON_FAULT").is_some_and(|fault| fault == "non-finite");
-    if let (true, Some(pixel)) = (asked, film.pixels_mut().first_mut()) {
-        pixel.r = f64::NAN;
+    if asked {
+        let nonsense = Rgb::new(f64::NAN, 0.0, 0.0);
+        print
+            .rows()
+            .take(1)
+            .for_each(|mut row| row.expose(&[nonsense]));
     }
 }
 
 /// Reports pixels that are no numbers; there should never be one.
-fn non_finite(film: &Film, title: &str, messages: &Messages) -> Status {
+fn non_finite(print: &Print, title: &str, messages: &Messages) -> Status {
     const MOST: usize = 10;
-    let odd: Vec<_> = film.non_finite().collect();
+    let odd: Vec<_> = print.non_finite().collect();
     if odd.is_empty() {
         return Status::Done;
     }

@@ -18,11 +18,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::film::Film;
+use crate::film::{Film, Format, Print};
 use crate::language::Refusal;
 use crate::math::{Decisions, Rgb};
 use crate::plan::{Plan, Scope};
-use crate::scene::Scene;
+use crate::scene::{Picture, Scene};
 use crate::surface::classic;
 
 /// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
@@ -72,27 +72,82 @@ pub fn drawn<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
-    let (scene, tracer) = (plan.scene, Tracer::new(plan));
-    let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
-    let mut film = Film::new(width, height).ok_or_else(|| {
-        let reason = format!("there is no memory for {width} by {height} pixels");
-        Refusal::new("image", reason, "choose a smaller picture")
-    })?;
-    let done = AtomicUsize::new(0);
+    let [width, height] = size(&plan.scene.picture);
+    let mut film = Film::new(width, height).ok_or_else(|| no_memory(&plan.scene.picture))?;
+    let painter = Painter::new(plan, progress);
     let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
-    let seen = rows
-        .map(|(row, pixels)| {
-            let mut probe = P::default();
-            let before = Decisions::of_this_thread();
-            for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(tracer, scene, column, row, &mut probe);
-            }
-            probe.decisions(Decisions::of_this_thread() - before);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            probe
-        })
-        .sum();
+    let seen = rows.map(|(row, pixels)| painter.paint(row, pixels)).sum();
     Ok((film, seen))
+}
+
+/// Renders a scene like [`observed`], but keeps nothing but what a file of this format holds.
+///
+/// # Errors
+/// As [`render`].
+pub fn printed<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    scope: Scope,
+    format: Format,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Print, P), Refusal> {
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), scope)?;
+    let [width, height] = size(&scene.picture);
+    let print = Print::new([width, height], format, scene.picture.rounding);
+    let mut print = print.ok_or_else(|| no_memory(&scene.picture))?;
+    let painter = Painter::new(&plan, progress);
+    let rows = print.rows().enumerate();
+    let paper = || vec![Rgb::BLACK; width];
+    let seen = rows.map_init(paper, |pixels, (row, mut kept)| {
+        let seen = painter.paint(row, pixels);
+        kept.expose(pixels);
+        seen
+    });
+    let seen = seen.sum();
+    Ok((print, seen))
+}
+
+fn size(picture: &Picture) -> [usize; 2] {
+    [picture.width as usize, picture.height as usize]
+}
+
+/// The refusal of a picture that memory cannot hold.
+#[must_use]
+pub fn no_memory(picture: &Picture) -> Refusal {
+    let Picture { width, height, .. } = picture;
+    let reason = format!("there is no memory for {width} by {height} pixels");
+    Refusal::new("image", reason, "choose a smaller picture")
+}
+
+/// What draws the rows of a picture.
+struct Painter<'a> {
+    plan: &'a Plan<'a>,
+    progress: &'a (dyn Fn(usize) + Sync),
+    /// The number of rows that are done.
+    done: AtomicUsize,
+}
+
+impl<'a> Painter<'a> {
+    fn new(plan: &'a Plan<'a>, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self {
+            plan,
+            progress,
+            done: AtomicUsize::new(0),
+        }
+    }
+
+    /// Gives the pixels of a row their colours, and tells what was seen.
+    fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
+        let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
+        let mut probe = P::default();
+        let before = Decisions::of_this_thread();
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = pixel_color(tracer, scene, column, row, &mut probe);
+        }
+        probe.decisions(Decisions::of_this_thread() - before);
+        (self.progress)(self.done.fetch_add(1, Ordering::Relaxed) + 1);
+        probe
+    }
 }
 
 /// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
