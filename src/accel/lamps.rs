@@ -175,7 +175,7 @@ impl<'a> LampView<'a> {
 
 impl Casters<'_, '_> {
     /// The share of light that passes along a segment to one place of the lamp; as
-    /// [`LightView::transmittance`](super::LightView::transmittance).
+    /// [`Before::transmittance`](super::Before::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;

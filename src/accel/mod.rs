@@ -17,7 +17,7 @@ mod tree;
 pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
-pub use shadows::LightView;
+pub use shadows::{Before, LightView};
 pub use sight::Sight;
 pub use supports::supports;
 
@@ -48,6 +48,8 @@ pub struct Entry<'a> {
     pub flat: Option<&'a Flat>,
     /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
     pub is_entered: bool,
+    /// Whether rays that meet it cause others.
+    pub sends_on: bool,
     /// What it has like every surface.
     pub common: &'a Common,
     /// Its place in the list.
@@ -133,13 +135,14 @@ fn entries<'a>(
                 && surface.common().material.is_entered()
                 // A sheet has the number of the first surface on it.
                 && support.is_some_and(|Support(first)| first as usize == index),
+            sends_on: surface.common().material.sends_on(),
             index,
         })
         .collect()
 }
 
 /// The one of some surfaces that a ray meets first.
-#[inline]
+#[inline(always)]
 fn nearest<'e, 'a>(
     entries: impl Iterator<Item = &'e Entry<'a>>,
     ray: &Ray,

@@ -133,7 +133,7 @@ impl<'a> Tracer<'a> {
         let travelled = path.travelled + hit.t;
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let everything = self.plan.scope == Scope::Everything;
-        let sends_on = material.sends_on() || everything;
+        let sends_on = entry.sends_on || everything;
         if !sends_on && self.plan.is_unlit() {
             // No ray leaves here, so nothing has to be known of rays that would.
             let color = (surface.getamb(hit) / divisor).saturated();
