@@ -4,20 +4,21 @@ mod errors;
 mod lamps;
 mod media;
 mod probe;
-mod samples;
+mod seed;
 mod shading;
 mod tracer;
 
 pub use errors::{Certificate, Errors};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
-pub use samples::samples;
 pub use tracer::Tracer;
 
+use seed::Seed;
 use std::iter::Sum;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
+use crate::camera::{Pattern, Places};
 use crate::film::Film;
 use crate::language::Refusal;
 use crate::math::{Decisions, Rgb};
@@ -111,12 +112,20 @@ pub fn pixel_color(
         reason = "picture sides are far below 2^53"
     )]
     let (x, y) = (column as f64, from_bottom as f64);
-    if scene.picture.samples == 1 {
+    let (pattern, count) = (scene.picture.pattern, scene.picture.samples);
+    if count == 1 {
         return tracer.sees(x, y, probe);
     }
+    let places = Places::new(pattern, column, from_bottom, count);
     let mut sum = Rgb::BLACK;
-    for (dx, dy) in samples(column, from_bottom, scene.picture.samples) {
-        sum = (sum + tracer.sees(x + dx, y + dy, probe)).saturated();
+    for number in 0..count {
+        let [dx, dy] = places.at(number);
+        let (x, y) = (x + dx, y + dy);
+        let color = match pattern {
+            Pattern::Sobol => tracer.sees_as(x, y, Seed::shared(places.seed, number), probe),
+            _ => tracer.sees(x, y, probe),
+        };
+        sum = (sum + color).saturated();
     }
-    sum / f64::from(scene.picture.samples)
+    sum / f64::from(count)
 }

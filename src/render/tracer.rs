@@ -6,7 +6,7 @@ use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Unfollowed};
+use super::{Errors, Probe, RayKind, Seed, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -32,7 +32,7 @@ struct Path<'a> {
     /// What rounding may have done to it.
     errors: Errors,
     /// What tells it from other rays from the eye.
-    seed: u64,
+    seed: Seed,
 }
 
 /// What is left for the rays that one ray from the eye causes.
@@ -79,6 +79,12 @@ impl<'a> Tracer<'a> {
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
     #[inline]
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
+        self.sees_as(x, y, Seed::of_place(x, y), probe)
+    }
+
+    /// The colour at a place of the picture, where what is chosen on the way is chosen by this seed.
+    #[inline]
+    pub(super) fn sees_as(&self, x: f64, y: f64, seed: Seed, probe: &mut impl Probe) -> Rgb {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let mut budget = Budget {
@@ -90,7 +96,7 @@ impl<'a> Tracer<'a> {
             weight: 1.0,
             media: Media::Air,
             errors: Errors::default(),
-            seed: x.to_bits() ^ y.to_bits().rotate_left(32),
+            seed,
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
@@ -162,7 +168,7 @@ impl<'a> Tracer<'a> {
                 weight: path.weight * share.largest(),
                 media,
                 errors: errors.behind(surface),
-                seed: path.seed.wrapping_add(1),
+                seed: path.seed.next(),
             };
             let uncalled = path.weight == 0.0 && everything;
             let worth = self.is_worth_following(&path, divisor, budget);
