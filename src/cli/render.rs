@@ -12,7 +12,7 @@ use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Film, Format, Notes, save};
+use crate::film::{Film, Format, Notes, Region, save};
 use crate::language::{Problem, Refusal};
 use crate::plan::Scope;
 use crate::read::{self, Reading};
@@ -36,6 +36,10 @@ pub(super) struct Options {
     /// Size of the picture in pixels, such as 800x600, instead of the scene's.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
+    /// Only this part of the picture: first column and row, counted from the top left, from 0, and
+    /// those behind the last; its pixels are those of the whole.
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = crop)]
+    crop: Option<Region>,
     #[command(flatten)]
     dials: Dials,
     /// Threads to render with; all processors if not given.
@@ -68,6 +72,16 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = sides.ok_or("expected width and height, such as 800x600")?;
     Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
     Ok(sides)
+}
+
+/// A part of the picture from `10,20,30,40`.
+fn crop(text: &str) -> Result<Region, String> {
+    let corners: Result<Vec<u32>, _> = text.split(',').map(|side| side.trim().parse()).collect();
+    let Ok([left, top, right, bottom]) = corners.as_deref() else {
+        return Err("expected four whole numbers, such as 10,20,30,40".to_owned());
+    };
+    Region::between([*left, *top], [*right, *bottom])
+        .map_err(|refusal| format!("{}; {}", refusal.reason, refusal.advice))
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
@@ -155,15 +169,21 @@ fn picture<'a>(
         ..
     } = input::read(scene, reader, messages)?;
     let title = input::title(scene);
-    let part = output
+    let replaced = output
         .path
         .as_ref()
         .and_then(|path| input::part_at(path, scene, &read));
-    if let Some(part) = part {
-        let error = format!("the picture of {title} would replace {part}, which it is made of");
+    if let Some(replaced) = replaced {
+        let error = format!("the picture of {title} would replace {replaced}, which it is made of");
         return Err(Failure::new(Status::Usage, error, messages));
     }
-    let bar = progress::bar(&title, u64::from(read.picture.height), messages);
+    let size = [read.picture.width, read.picture.height];
+    let part = options.crop.unwrap_or_else(|| Region::whole(size));
+    part.check_within(size).map_err(|refusal| {
+        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+        Failure::new(Status::Usage, error, messages)
+    })?;
+    let bar = progress::bar(&title, part.height as u64, messages);
     let progress = |rows| bar.set_position(rows as u64);
     let scope = if options.simulate_everything {
         Scope::Everything
@@ -172,10 +192,11 @@ fn picture<'a>(
     };
     let rendered = pool.install(|| {
         if options.certify {
-            let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
+            let (film, certificate): (_, Certificate) =
+                render::observed_part(&read, scope, part, &progress)?;
             return Ok((film, certificate.counts, Some(certificate)));
         }
-        let (film, counts) = render::observed(&read, scope, &progress)?;
+        let (film, counts) = render::observed_part(&read, scope, part, &progress)?;
         Ok((film, counts, None))
     });
     bar.finish_and_clear();
@@ -188,7 +209,7 @@ fn picture<'a>(
     })?;
     inject_fault(&mut film);
     let hash = read.hash();
-    write(&film, &read, &hash, output).map_err(|error| {
+    write(&film, &read, options.crop, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
         Failure::new(Status::Io, error, messages)
     })?;
@@ -201,6 +222,8 @@ fn picture<'a>(
         read,
         warnings,
         counts,
+        crop: options.crop,
+        size: [film.width(), film.height()],
         hash,
         output,
         start,
@@ -215,6 +238,10 @@ struct Done<'a> {
     read: Scene,
     warnings: Vec<Problem>,
     counts: Counts,
+    /// The part that was asked for.
+    crop: Option<Region>,
+    /// Its width and height in pixels, or those of the whole.
+    size: [usize; 2],
     /// Whether to tell how much work it was.
     stats: bool,
     certificate: Option<Report>,
@@ -231,14 +258,17 @@ impl Done<'_> {
             "scene": self.title,
             "exit": self.status.code(),
             "output": self.output.title(),
-            "width": picture.width,
-            "height": picture.height,
+            "width": self.size[0],
+            "height": self.size[1],
             "samples": picture.samples,
             "rays": self.counts,
             "hash": self.hash,
             "seconds": self.start.elapsed().as_secs_f64(),
             "problems": problems_json(&self.warnings, &self.read.sources),
         });
+        if let Some(crop) = &self.crop {
+            line["crop"] = serde_json::json!(crop.corners());
+        }
         if let Some(certificate) = &self.certificate {
             line["certificate"] = serde_json::json!(certificate);
         }
@@ -251,8 +281,8 @@ impl Done<'_> {
             "{} -> {}, {}x{}, {:.2} s",
             self.title,
             self.output.title(),
-            picture.width,
-            picture.height,
+            self.size[0],
+            self.size[1],
             self.start.elapsed().as_secs_f64(),
         ));
         let stats = self.stats.then(|| stats::table(&self.counts));
@@ -282,9 +312,15 @@ impl Done<'_> {
     }
 }
 
-fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
+fn write(
+    film: &Film,
+    scene: &Scene,
+    crop: Option<Region>,
+    hash: &str,
+    output: &Output,
+) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
-    let notes = Notes(vec![
+    let mut notes = Notes(vec![
         (
             "Software",
             concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -292,6 +328,11 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
         ("Settings", settings.trim_end().to_owned()),
         ("Scene hash", hash.to_owned()),
     ]);
+    if let Some(crop) = crop {
+        notes
+            .0
+            .push(("Crop", crop.corners().map(|it| it.to_string()).join(",")));
+    }
     let rounding = scene.picture.rounding;
     let format: Format = output.format;
     match &output.path {

@@ -5,10 +5,12 @@ mod pfm;
 mod png;
 mod ppm;
 mod quantize;
+mod region;
 mod save;
 
 pub use format::Format;
 pub use quantize::Rounding;
+pub use region::Region;
 pub use save::{discard_unfinished, save};
 
 use std::io::{self, Write};

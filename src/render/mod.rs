@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::camera::{Pattern, Places};
-use crate::film::Film;
+use crate::film::{Film, Region};
 use crate::language::Refusal;
 use crate::math::{Decisions, Rgb};
 use crate::plan::{Plan, Scope};
@@ -61,8 +61,28 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     scope: Scope,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
+    let whole = Region::whole([scene.picture.width, scene.picture.height]);
+    observed_part(scene, scope, whole, progress)
+}
+
+/// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
+/// [`observed`].
+///
+/// # Errors
+/// As [`render`]; and refuses a part that is not one.
+pub fn observed_part<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    scope: Scope,
+    part: Region,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
+    part.check_within([scene.picture.width, scene.picture.height])?;
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
-    drawn(&Plan::new(scene, classic.as_deref(), scope)?, progress)
+    drawn_part(
+        &Plan::new(scene, classic.as_deref(), scope)?,
+        part,
+        progress,
+    )
 }
 
 /// Renders a scene as it is planned; for the rest as [`observed`].
@@ -73,8 +93,22 @@ pub fn drawn<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
+    let whole = Region::whole([plan.scene.picture.width, plan.scene.picture.height]);
+    drawn_part(plan, whole, progress)
+}
+
+fn drawn_part<P: Probe + Default + Send + Sum>(
+    plan: &Plan<'_>,
+    part: Region,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
     let (scene, tracer) = (plan.scene, Tracer::new(plan));
-    let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
+    let Region {
+        left,
+        top,
+        width,
+        height,
+    } = part;
     let mut film = Film::new(width, height).ok_or_else(|| {
         let reason = format!("there is no memory for {width} by {height} pixels");
         Refusal::new("image", reason, "choose a smaller picture")
@@ -86,7 +120,7 @@ pub fn drawn<P: Probe + Default + Send + Sum>(
             let mut probe = P::default();
             let before = Decisions::of_this_thread();
             for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(tracer, scene, column, row, &mut probe);
+                *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
             }
             probe.decisions(Decisions::of_this_thread() - before);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
