@@ -14,6 +14,7 @@ use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
 use crate::film::{Film, Format, Notes, save};
 use crate::language::{Problem, Refusal};
+use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
@@ -173,7 +174,7 @@ fn picture<'a>(
     let rendered = pool.install(|| {
         if options.certify {
             let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
-            return Ok((film, certificate.counts, Some(certificate)));
+            return Ok((film, certificate.counts.clone(), Some(certificate)));
         }
         let (film, counts) = render::observed(&read, scope, &progress)?;
         Ok((film, counts, None))
@@ -239,6 +240,10 @@ impl Done<'_> {
             "seconds": self.start.elapsed().as_secs_f64(),
             "problems": problems_json(&self.warnings, &self.read.sources),
         });
+        if self.stats {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            line["by_light"] = serde_json::json!(by_light);
+        }
         if let Some(certificate) = &self.certificate {
             line["certificate"] = serde_json::json!(certificate);
         }
@@ -255,7 +260,10 @@ impl Done<'_> {
             picture.height,
             self.start.elapsed().as_secs_f64(),
         ));
-        let stats = self.stats.then(|| stats::table(&self.counts));
+        let stats = self.stats.then(|| {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            stats::table(&self.counts, &by_light)
+        });
         let answers = [self.certificate.as_ref().map(Report::to_string), stats];
         for answer in answers.into_iter().flatten() {
             // The answer to a question is a result.
