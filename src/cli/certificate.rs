@@ -41,7 +41,7 @@ pub(super) struct Report {
 
 pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> Report {
     let Certificate {
-        counts,
+        ref counts,
         largest_error,
         largest_bounced_error,
         largest_residual,

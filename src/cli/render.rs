@@ -14,6 +14,7 @@ use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
 use crate::film::{Film, Format, Notes, Region, save};
 use crate::language::{Problem, Refusal};
+use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
@@ -194,7 +195,7 @@ fn picture<'a>(
         if options.certify {
             let (film, certificate): (_, Certificate) =
                 render::observed_part(&read, scope, part, &progress)?;
-            return Ok((film, certificate.counts, Some(certificate)));
+            return Ok((film, certificate.counts.clone(), Some(certificate)));
         }
         let (film, counts) = render::observed_part(&read, scope, part, &progress)?;
         Ok((film, counts, None))
@@ -269,6 +270,10 @@ impl Done<'_> {
         if let Some(crop) = &self.crop {
             line["crop"] = serde_json::json!(crop.corners());
         }
+        if self.stats {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            line["by_light"] = serde_json::json!(by_light);
+        }
         if let Some(certificate) = &self.certificate {
             line["certificate"] = serde_json::json!(certificate);
         }
@@ -285,7 +290,10 @@ impl Done<'_> {
             self.size[1],
             self.start.elapsed().as_secs_f64(),
         ));
-        let stats = self.stats.then(|| stats::table(&self.counts));
+        let stats = self.stats.then(|| {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            stats::table(&self.counts, &by_light)
+        });
         let answers = [self.certificate.as_ref().map(Report::to_string), stats];
         for answer in answers.into_iter().flatten() {
             // The answer to a question is a result.

@@ -48,7 +48,7 @@ impl Errors {
 }
 
 /// What can be said of how right a picture is: counts, and the largest errors.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Certificate {
     /// How much work it was, and how it was decided.
     pub counts: Counts,
@@ -91,12 +91,12 @@ impl Probe for Certificate {
         self.counts.occlusion_tests(light, count);
     }
 
-    fn lamp_tests(&mut self, count: u64) {
-        self.counts.lamp_tests(count);
-    }
-
     fn decisions(&mut self, decisions: Decisions) {
         self.counts.decisions(decisions);
+    }
+
+    fn texel_fetches(&mut self, count: u64) {
+        self.counts.texel_fetches(count);
     }
 }
 

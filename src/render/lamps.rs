@@ -57,7 +57,7 @@ impl Tracer<'_> {
                     normal: hit.normal,
                     seed: seed.of_lamp(number),
                 };
-                light = light * self.share_of_lamp(entry, view, &lit, probe);
+                light = light * self.share_of_lamp(entry, (number, view), &lit, probe);
             }
             color = (color + light).saturated();
         }
@@ -68,7 +68,7 @@ impl Tracer<'_> {
     fn share_of_lamp(
         &self,
         entry: &Entry<'_>,
-        view: &LampView<'_>,
+        (number, view): (usize, &LampView<'_>),
         lit: &Lit<'_>,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -83,7 +83,7 @@ impl Tracer<'_> {
             let (end, weight) = view.lamp.sample(&lit.point, lit.normal, at);
             if weight > 0.0 {
                 sent += weight;
-                passed += self.passing(&casters, lit, end, probe) * weight;
+                passed += self.passing((number, &casters), lit, end, probe) * weight;
             }
         }
         // Where all passes, both are the same sum, and the share is 1 without rounding.
@@ -91,14 +91,15 @@ impl Tracer<'_> {
             passed / sent
         } else {
             // So little of the lamp is above the horizon that no sample is; its highest point is.
-            self.passing(&casters, lit, view.lamp.highest(lit.normal), probe)
+            let highest = view.lamp.highest(lit.normal);
+            self.passing((number, &casters), lit, highest, probe)
         }
     }
 
     /// The share of light that passes on the way to one point of a lamp.
     fn passing(
         &self,
-        casters: &Casters<'_, '_>,
+        (number, casters): (usize, &Casters<'_, '_>),
         lit: &Lit<'_>,
         end: Point,
         probe: &mut impl Probe,
@@ -110,7 +111,7 @@ impl Tracer<'_> {
         probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);
-        probe.lamp_tests(tests);
+        probe.occlusion_tests(self.plan.scene.lights.len() + number, tests);
         passed
     }
 }

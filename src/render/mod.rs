@@ -6,10 +6,12 @@ mod media;
 mod probe;
 mod seed;
 mod shading;
+mod thread_work;
 mod tracer;
 
 pub use errors::{Certificate, Errors};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
+pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
 
 use seed::Seed;
@@ -21,7 +23,7 @@ use rayon::prelude::*;
 use crate::camera::{Pattern, Places};
 use crate::film::{Film, Region};
 use crate::language::Refusal;
-use crate::math::{Decisions, Rgb};
+use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
 use crate::scene::Scene;
 use crate::surface::classic;
@@ -118,11 +120,11 @@ fn drawn_part<P: Probe + Default + Send + Sum>(
     let seen = rows
         .map(|(row, pixels)| {
             let mut probe = P::default();
-            let before = Decisions::of_this_thread();
+            let before = ThreadWork::until_now();
             for (column, pixel) in pixels.iter_mut().enumerate() {
                 *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
             }
-            probe.decisions(Decisions::of_this_thread() - before);
+            before.tell(&mut probe);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
             probe
         })
