@@ -1,5 +1,6 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod certificate;
 mod errors;
 mod lamps;
 mod media;
@@ -8,7 +9,8 @@ mod samples;
 mod shading;
 mod tracer;
 
-pub use errors::{Certificate, Errors};
+pub use certificate::Certificate;
+pub use errors::{Errors, Turn};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use samples::samples;
 pub use tracer::Tracer;

@@ -6,7 +6,7 @@ use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Unfollowed};
+use super::{Errors, Probe, RayKind, Turn, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -125,7 +125,12 @@ impl<'a> Tracer<'a> {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
-        let errors = path.errors.at(hit);
+        let follows_errors = probe.follows_errors();
+        let errors = if follows_errors {
+            path.errors.at(ray, hit)
+        } else {
+            path.errors
+        };
         probe.met(entry.index, hit, errors);
         let surface = entry.surface;
         let departure = entry.departure(ray, hit);
@@ -142,12 +147,16 @@ impl<'a> Tracer<'a> {
         let material = &entry.common.material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.plan.scope == Scope::Everything && path.weight > 0.0;
-        let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
+        let follow = |share: Rgb, (dir, media, turn), kind, budget: &mut _, probe: &mut _| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
                 media,
-                errors: errors.behind(surface),
+                errors: if follows_errors {
+                    errors.behind(surface, turn, ray.dir, hit.normal)
+                } else {
+                    errors
+                },
                 seed: path.seed.wrapping_add(1),
             };
             let uncalled = path.weight == 0.0 && everything;
@@ -166,14 +175,14 @@ impl<'a> Tracer<'a> {
             let aside = budget.put_aside(1.0 - boundary.passing);
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(hit) * boundary.passing;
-                let onward = (dir, boundary.beyond);
+                let onward = (dir, boundary.beyond, boundary.turn);
                 follow(share, onward, RayKind::Transmitted, budget, probe)
             });
             budget.take_back(aside);
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
-            let onward = (ray.mirrored(hit.normal), path.media);
+            let onward = (ray.mirrored(hit.normal), path.media, Turn::Mirrored);
             let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
             color = (color + mirrored).saturated();
         }
