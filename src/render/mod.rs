@@ -1,5 +1,6 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod certificate;
 mod errors;
 mod lamps;
 mod media;
@@ -9,7 +10,8 @@ mod shading;
 mod thread_work;
 mod tracer;
 
-pub use errors::{Certificate, Errors};
+pub use certificate::Certificate;
+pub use errors::{Errors, Turn};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;

@@ -6,7 +6,7 @@ use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Seed, Unfollowed};
+use super::{Errors, Probe, RayKind, Seed, Turn, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -132,7 +132,12 @@ impl<'a> Tracer<'a> {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
-        let errors = path.errors.at(hit);
+        let follows_errors = probe.follows_errors();
+        let errors = if follows_errors {
+            path.errors.at(ray, hit)
+        } else {
+            path.errors
+        };
         probe.met(entry.index, hit, errors);
         let surface = entry.surface;
         let material = &entry.common.material;
@@ -162,12 +167,16 @@ impl<'a> Tracer<'a> {
 
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = everything && path.weight > 0.0;
-        let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
+        let follow = |share: Rgb, (dir, media, turn), kind, budget: &mut _, probe: &mut _| {
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
                 media,
-                errors: errors.behind(surface),
+                errors: if follows_errors {
+                    errors.behind(surface, turn, ray.dir, hit.normal)
+                } else {
+                    errors
+                },
                 seed: path.seed.next(),
             };
             let uncalled = path.weight == 0.0 && everything;
@@ -193,7 +202,7 @@ impl<'a> Tracer<'a> {
             let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(hit) * boundary.passing;
-                let onward = (dir, boundary.beyond);
+                let onward = (dir, boundary.beyond, boundary.turn);
                 follow(share, onward, RayKind::Transmitted, budget, probe)
             });
             if let Some(aside) = aside {
@@ -202,7 +211,7 @@ impl<'a> Tracer<'a> {
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
-            let onward = (ray.mirrored(hit.normal), path.media);
+            let onward = (ray.mirrored(hit.normal), path.media, Turn::Mirrored);
             let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
             color = (color + mirrored).saturated();
         }
