@@ -176,7 +176,7 @@ impl<'a> LightView<'a> {
     /// Whether anything can stand between the light and a hit of a surface from which a ray goes to
     /// the light.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
         let mut casters = self.casters_for(entry).iter();
         // The tree asks for less than going through all of them.

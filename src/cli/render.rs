@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
+use rayon::prelude::*;
 
 use super::certificate::{self, Report};
 use super::dials::Dials;
@@ -12,8 +13,9 @@ use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Film, Format, Notes, Region, save};
+use crate::film::{Notes, Print, Region, save};
 use crate::language::{Problem, Refusal};
+use crate::math::Rgb;
 use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
@@ -195,27 +197,29 @@ fn picture<'a>(
         if options.certify {
             let (film, certificate): (_, Certificate) =
                 render::observed_part(&read, scope, part, &progress)?;
-            return Ok((film, certificate.counts.clone(), Some(certificate)));
+            let report = certificate::report(&certificate, &read, &film);
+            let print = Print::of(&film, output.format, read.picture.rounding);
+            let print = print.ok_or_else(|| render::no_memory(part))?;
+            return Ok((print, certificate.counts, Some(report)));
         }
-        let (film, counts) = render::observed_part(&read, scope, part, &progress)?;
-        Ok((film, counts, None))
+        let (print, counts) = render::printed_part(&read, scope, part, output.format, &progress)?;
+        Ok((print, counts, None))
     });
     bar.finish_and_clear();
-    let (mut film, counts, certificate) = rendered.map_err(|refusal: Refusal| {
+    let (mut print, counts, certificate) = rendered.map_err(|refusal: Refusal| {
         Failure::new(
             Status::BadInput,
             format!("{title}: {}", refusal.reason),
             messages,
         )
     })?;
-    inject_fault(&mut film);
+    inject_fault(&mut print);
     let hash = read.hash();
-    write(&film, &read, options.crop, &hash, output).map_err(|error| {
+    write(&print, &read, options.crop, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
         Failure::new(Status::Io, error, messages)
     })?;
-    let status = non_finite(&film, &title, messages);
-    let certificate = certificate.map(|it| certificate::report(&it, &read, &film));
+    let status = non_finite(&print, &title, messages);
     Ok(Done {
         stats: options.stats,
         certificate,
@@ -224,7 +228,7 @@ fn picture<'a>(
         warnings,
         counts,
         crop: options.crop,
-        size: [film.width(), film.height()],
+        size: [part.width, part.height],
         hash,
         output,
         start,
@@ -321,7 +325,7 @@ impl Done<'_> {
 }
 
 fn write(
-    film: &Film,
+    print: &Print,
     scene: &Scene,
     crop: Option<Region>,
     hash: &str,
@@ -341,13 +345,11 @@ fn write(
             .0
             .push(("Crop", crop.corners().map(|it| it.to_string()).join(",")));
     }
-    let rounding = scene.picture.rounding;
-    let format: Format = output.format;
     match &output.path {
-        Some(path) => save(path, |out| film.write(out, format, rounding, &notes)),
+        Some(path) => save(path, |out| print.write(out, &notes)),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = film.write(&mut out, format, rounding, &notes);
+            let written = print.write(&mut out, &notes);
             match written.and_then(|()| out.flush()) {
                 // A reader that has seen enough is no error.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -359,17 +361,21 @@ fn write(
 
 /// Spoils a pixel if the environment asks for it, so that a test can see what the program does
 /// about a fault that it ought not to have.
-fn inject_fault(film: &mut Film) {
+fn inject_fault(print: &mut Print) {
     let asked = std::env::var_os("HELIODON_FAULT").is_some_and(|fault| fault == "non-finite");
-    if let (true, Some(pixel)) = (asked, film.pixels_mut().first_mut()) {
-        pixel.r = f64::NAN;
+    if asked {
+        let nonsense = Rgb::new(f64::NAN, 0.0, 0.0);
+        print
+            .rows()
+            .take(1)
+            .for_each(|mut row| row.expose(&[nonsense]));
     }
 }
 
 /// Reports pixels that are no numbers; there should never be one.
-fn non_finite(film: &Film, title: &str, messages: &Messages) -> Status {
+fn non_finite(print: &Print, title: &str, messages: &Messages) -> Status {
     const MOST: usize = 10;
-    let odd: Vec<_> = film.non_finite().collect();
+    let odd: Vec<_> = print.non_finite().collect();
     if odd.is_empty() {
         return Status::Done;
     }

@@ -23,11 +23,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::camera::{Pattern, Places};
-use crate::film::{Film, Region};
+use crate::film::{Film, Format, Print, Region};
 use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
-use crate::scene::Scene;
+use crate::scene::{Picture, Scene};
 use crate::surface::classic;
 
 /// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
@@ -65,8 +65,7 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     scope: Scope,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
-    let whole = Region::whole([scene.picture.width, scene.picture.height]);
-    observed_part(scene, scope, whole, progress)
+    observed_part(scene, scope, whole(&scene.picture), progress)
 }
 
 /// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
@@ -97,8 +96,7 @@ pub fn drawn<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
-    let whole = Region::whole([plan.scene.picture.width, plan.scene.picture.height]);
-    drawn_part(plan, whole, progress)
+    drawn_part(plan, whole(&plan.scene.picture), progress)
 }
 
 fn drawn_part<P: Probe + Default + Send + Sum>(
@@ -106,32 +104,86 @@ fn drawn_part<P: Probe + Default + Send + Sum>(
     part: Region,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
-    let (scene, tracer) = (plan.scene, Tracer::new(plan));
-    let Region {
-        left,
-        top,
-        width,
-        height,
-    } = part;
-    let mut film = Film::new(width, height).ok_or_else(|| {
-        let reason = format!("there is no memory for {width} by {height} pixels");
-        Refusal::new("image", reason, "choose a smaller picture")
-    })?;
-    let done = AtomicUsize::new(0);
-    let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
-    let seen = rows
-        .map(|(row, pixels)| {
-            let mut probe = P::default();
-            let before = ThreadWork::until_now();
-            for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
-            }
-            before.tell(&mut probe);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            probe
-        })
-        .sum();
+    let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
+    let painter = Painter::new(plan, part, progress);
+    let rows = film.pixels_mut().par_chunks_mut(part.width).enumerate();
+    let seen = rows.map(|(row, pixels)| painter.paint(row, pixels)).sum();
     Ok((film, seen))
+}
+
+/// Renders a part of a scene's picture like [`observed_part`], but keeps nothing but what a file of this
+/// format holds.
+///
+/// # Errors
+/// As [`observed_part`].
+pub fn printed_part<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    scope: Scope,
+    part: Region,
+    format: Format,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Print, P), Refusal> {
+    part.check_within([scene.picture.width, scene.picture.height])?;
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), scope)?;
+    let print = Print::new([part.width, part.height], format, scene.picture.rounding);
+    let mut print = print.ok_or_else(|| no_memory(part))?;
+    let painter = Painter::new(&plan, part, progress);
+    let rows = print.rows().enumerate();
+    let paper = || vec![Rgb::BLACK; part.width];
+    let seen = rows.map_init(paper, |pixels, (row, mut kept)| {
+        let seen = painter.paint(row, pixels);
+        kept.expose(pixels);
+        seen
+    });
+    let seen = seen.sum();
+    Ok((print, seen))
+}
+
+fn whole(picture: &Picture) -> Region {
+    Region::whole([picture.width, picture.height])
+}
+
+/// The refusal of a picture that memory cannot hold.
+#[must_use]
+pub fn no_memory(part: Region) -> Refusal {
+    let Region { width, height, .. } = part;
+    let reason = format!("there is no memory for {width} by {height} pixels");
+    Refusal::new("image", reason, "choose a smaller picture")
+}
+
+/// What draws the rows of a part of a picture.
+struct Painter<'a> {
+    plan: &'a Plan<'a>,
+    part: Region,
+    progress: &'a (dyn Fn(usize) + Sync),
+    /// The number of rows that are done.
+    done: AtomicUsize,
+}
+
+impl<'a> Painter<'a> {
+    fn new(plan: &'a Plan<'a>, part: Region, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self {
+            plan,
+            part,
+            progress,
+            done: AtomicUsize::new(0),
+        }
+    }
+
+    /// Gives the pixels of a row of the part their colours, and tells what was seen.
+    fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
+        let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
+        let Region { left, top, .. } = self.part;
+        let mut probe = P::default();
+        let before = ThreadWork::until_now();
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
+        }
+        before.tell(&mut probe);
+        (self.progress)(self.done.fetch_add(1, Ordering::Relaxed) + 1);
+        probe
+    }
 }
 
 /// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
