@@ -116,15 +116,24 @@ fn measured_work_is_what_rendering_takes_and_an_estimate_is_near() {
             .chain(more)
             .copied()
             .collect();
-        answer(&arguments)["work"]["counts"].clone()
+        answer(&arguments)["work"].clone()
     };
     let folder = env!("CARGO_TARGET_TMPDIR");
     let out = format!("{folder}/explained.png");
-    let rendered = answer(&["render", "scenes/room.kdl", "--json", "-o", &out])["rays"].clone();
-    assert_eq!(explained(&["--measure"]), rendered);
-    let estimated = explained(&[]);
+    let render = ["render", "scenes/room.kdl", "--stats", "--json", "-o", &out];
+    let (rendered, measured) = (answer(&render), explained(&["--measure"]));
+    assert_eq!(measured["counts"], rendered["rays"]);
+    assert_eq!(measured["by_light"], rendered["by_light"]);
+    let by_light = measured["by_light"].as_array().expect("a list");
+    let tests = by_light.iter().map(|light| &light["occlusion_tests"]);
+    let sum: u64 = tests.filter_map(Value::as_u64).sum();
+    assert_eq!(
+        (by_light.len(), sum),
+        (2, rendered["rays"]["occlusion_tests"].as_u64().unwrap_or(0))
+    );
+    let (rendered, estimated) = (&rendered["rays"], &explained(&[])["counts"]);
     for kind in ["camera_rays", "mirror_rays", "shadow_rays", "hit_tests"] {
-        let [estimate, exact] = [&estimated, &rendered].map(|counts| counts[kind].as_f64());
+        let [estimate, exact] = [estimated, rendered].map(|counts| counts[kind].as_f64());
         let ratio = estimate.expect("a number") / exact.expect("a number");
         assert!((0.9..1.1).contains(&ratio), "{kind}: {ratio}");
     }

@@ -1,8 +1,12 @@
 //! From pixels to rays.
 
+mod pattern;
+mod places;
 mod view;
 mod window;
 
+pub use pattern::Pattern;
+pub use places::Places;
 pub use view::{View, WindowOrigin};
 pub use window::Window;
 

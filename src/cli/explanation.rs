@@ -171,7 +171,7 @@ fn work(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
             work.pixels, work.of
         )?;
     }
-    out.write_str(&stats::lines(&work.counts))
+    out.write_str(&stats::lines(&work.counts, &work.by_light))
 }
 
 /// A lead and things after it, broken into lines; nothing if there are no things.

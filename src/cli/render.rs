@@ -13,9 +13,10 @@ use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Notes, Print, save};
+use crate::film::{Notes, Print, Region, save};
 use crate::language::{Problem, Refusal};
 use crate::math::Rgb;
+use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
@@ -38,6 +39,10 @@ pub(super) struct Options {
     /// Size of the picture in pixels, such as 800x600, instead of the scene's.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
+    /// Only this part of the picture: first column and row, counted from the top left, from 0, and
+    /// those behind the last; its pixels are those of the whole.
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = crop)]
+    crop: Option<Region>,
     #[command(flatten)]
     dials: Dials,
     /// Threads to render with; all processors if not given.
@@ -70,6 +75,16 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = sides.ok_or("expected width and height, such as 800x600")?;
     Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
     Ok(sides)
+}
+
+/// A part of the picture from `10,20,30,40`.
+fn crop(text: &str) -> Result<Region, String> {
+    let corners: Result<Vec<u32>, _> = text.split(',').map(|side| side.trim().parse()).collect();
+    let Ok([left, top, right, bottom]) = corners.as_deref() else {
+        return Err("expected four whole numbers, such as 10,20,30,40".to_owned());
+    };
+    Region::between([*left, *top], [*right, *bottom])
+        .map_err(|refusal| format!("{}; {}", refusal.reason, refusal.advice))
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
@@ -157,15 +172,21 @@ fn picture<'a>(
         ..
     } = input::read(scene, reader, messages)?;
     let title = input::title(scene);
-    let part = output
+    let replaced = output
         .path
         .as_ref()
         .and_then(|path| input::part_at(path, scene, &read));
-    if let Some(part) = part {
-        let error = format!("the picture of {title} would replace {part}, which it is made of");
+    if let Some(replaced) = replaced {
+        let error = format!("the picture of {title} would replace {replaced}, which it is made of");
         return Err(Failure::new(Status::Usage, error, messages));
     }
-    let bar = progress::bar(&title, u64::from(read.picture.height), messages);
+    let size = [read.picture.width, read.picture.height];
+    let part = options.crop.unwrap_or_else(|| Region::whole(size));
+    part.check_within(size).map_err(|refusal| {
+        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+        Failure::new(Status::Usage, error, messages)
+    })?;
+    let bar = progress::bar(&title, part.height as u64, messages);
     let progress = |rows| bar.set_position(rows as u64);
     let scope = if options.simulate_everything {
         Scope::Everything
@@ -174,13 +195,14 @@ fn picture<'a>(
     };
     let rendered = pool.install(|| {
         if options.certify {
-            let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
+            let (film, certificate): (_, Certificate) =
+                render::observed_part(&read, scope, part, &progress)?;
             let report = certificate::report(&certificate, &read, &film);
             let print = Print::of(&film, output.format, read.picture.rounding);
-            let print = print.ok_or_else(|| render::no_memory(&read.picture))?;
+            let print = print.ok_or_else(|| render::no_memory(part))?;
             return Ok((print, certificate.counts, Some(report)));
         }
-        let (print, counts) = render::printed(&read, scope, output.format, &progress)?;
+        let (print, counts) = render::printed_part(&read, scope, part, output.format, &progress)?;
         Ok((print, counts, None))
     });
     bar.finish_and_clear();
@@ -193,7 +215,7 @@ fn picture<'a>(
     })?;
     inject_fault(&mut print);
     let hash = read.hash();
-    write(&print, &read, &hash, output).map_err(|error| {
+    write(&print, &read, options.crop, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
         Failure::new(Status::Io, error, messages)
     })?;
@@ -205,6 +227,8 @@ fn picture<'a>(
         read,
         warnings,
         counts,
+        crop: options.crop,
+        size: [part.width, part.height],
         hash,
         output,
         start,
@@ -219,6 +243,10 @@ struct Done<'a> {
     read: Scene,
     warnings: Vec<Problem>,
     counts: Counts,
+    /// The part that was asked for.
+    crop: Option<Region>,
+    /// Its width and height in pixels, or those of the whole.
+    size: [usize; 2],
     /// Whether to tell how much work it was.
     stats: bool,
     certificate: Option<Report>,
@@ -235,14 +263,21 @@ impl Done<'_> {
             "scene": self.title,
             "exit": self.status.code(),
             "output": self.output.title(),
-            "width": picture.width,
-            "height": picture.height,
+            "width": self.size[0],
+            "height": self.size[1],
             "samples": picture.samples,
             "rays": self.counts,
             "hash": self.hash,
             "seconds": self.start.elapsed().as_secs_f64(),
             "problems": problems_json(&self.warnings, &self.read.sources),
         });
+        if let Some(crop) = &self.crop {
+            line["crop"] = serde_json::json!(crop.corners());
+        }
+        if self.stats {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            line["by_light"] = serde_json::json!(by_light);
+        }
         if let Some(certificate) = &self.certificate {
             line["certificate"] = serde_json::json!(certificate);
         }
@@ -255,11 +290,14 @@ impl Done<'_> {
             "{} -> {}, {}x{}, {:.2} s",
             self.title,
             self.output.title(),
-            picture.width,
-            picture.height,
+            self.size[0],
+            self.size[1],
             self.start.elapsed().as_secs_f64(),
         ));
-        let stats = self.stats.then(|| stats::table(&self.counts));
+        let stats = self.stats.then(|| {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            stats::table(&self.counts, &by_light)
+        });
         let answers = [self.certificate.as_ref().map(Report::to_string), stats];
         for answer in answers.into_iter().flatten() {
             // The answer to a question is a result.
@@ -286,9 +324,15 @@ impl Done<'_> {
     }
 }
 
-fn write(print: &Print, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
+fn write(
+    print: &Print,
+    scene: &Scene,
+    crop: Option<Region>,
+    hash: &str,
+    output: &Output,
+) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
-    let notes = Notes(vec![
+    let mut notes = Notes(vec![
         (
             "Software",
             concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -296,6 +340,11 @@ fn write(print: &Print, scene: &Scene, hash: &str, output: &Output) -> std::io::
         ("Settings", settings.trim_end().to_owned()),
         ("Scene hash", hash.to_owned()),
     ]);
+    if let Some(crop) = crop {
+        notes
+            .0
+            .push(("Crop", crop.corners().map(|it| it.to_string()).join(",")));
+    }
     match &output.path {
         Some(path) => save(path, |out| print.write(out, &notes)),
         None => {

@@ -6,11 +6,13 @@ mod png;
 mod ppm;
 mod print;
 mod quantize;
+mod region;
 mod save;
 
 pub use format::Format;
 pub use print::{Print, PrintRow};
 pub use quantize::Rounding;
+pub use region::Region;
 pub use save::{discard_unfinished, save};
 
 use std::io::{self, Write};

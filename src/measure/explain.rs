@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
+use super::LightTests;
 use crate::language::{Location, Refusal, Sources};
-use crate::math::{Decisions, Point, Side};
+use crate::math::{Point, Side};
 use crate::plan::{Cause, Decision, Effect, Plan, Scope, Unlit};
-use crate::render::{Counts, Tracer, pixel_color, render};
+use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
 use crate::surface::{Surface, classic};
 
@@ -108,7 +109,7 @@ pub struct TextureRow {
 }
 
 /// How much work a picture is.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Work {
     /// How many pixels were traced to find out; all of them for an exact count.
     pub pixels: u64,
@@ -116,6 +117,8 @@ pub struct Work {
     pub of: u64,
     /// The rays and tests of the whole picture; of fewer pixels, scaled up.
     pub counts: Counts,
+    /// How many of the tests each light and each lamp takes.
+    pub by_light: Vec<LightTests>,
 }
 
 /// The most surfaces of which it is told which casts shadows on which.
@@ -292,6 +295,7 @@ impl Work {
         Ok(Self {
             pixels,
             of: pixels,
+            by_light: LightTests::all(scene, &counts),
             counts,
         })
     }
@@ -305,19 +309,21 @@ impl Work {
         let places = |side: usize| ((step - 1).min(side - 1) / 2..side).step_by(step);
         let tracer = Tracer::new(plan);
         let (mut counts, mut pixels) = (Counts::default(), 0);
-        let before = Decisions::of_this_thread();
+        let before = ThreadWork::until_now();
         for row in places(height) {
             for column in places(width) {
                 pixel_color(tracer, plan.scene, column, row, &mut counts);
                 pixels += 1;
             }
         }
-        counts.decisions = Decisions::of_this_thread() - before;
+        before.tell(&mut counts);
         let of = (width * height) as u64;
+        let counts = counts.scaled(of, pixels);
         Self {
             pixels,
             of,
-            counts: counts.scaled(of, pixels),
+            by_light: LightTests::all(plan.scene, &counts),
+            counts,
         }
     }
 }

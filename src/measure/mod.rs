@@ -5,6 +5,7 @@ mod check;
 mod clock;
 mod coincident;
 mod explain;
+mod light_tests;
 mod price_list;
 mod prices;
 mod transcript;
@@ -16,6 +17,7 @@ pub use clock::Timing;
 pub use explain::{
     EffectRow, Explanation, LightRow, NoShadow, SurfaceRow, TextureRow, Thing, Work, explain,
 };
+pub use light_tests::LightTests;
 pub use prices::{Effort, Price, Prices, prices};
 pub use transcript::{PixelStory, Step, transcript};
 pub use without::{round_trip, without};

@@ -58,6 +58,10 @@ pub trait Probe {
     fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
     /// A ray does not set out.
     fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
+    /// Whether it has to be told how far off hits may be; it costs a little to know.
+    fn follows_errors(&self) -> bool {
+        false
+    }
     /// The ray that set out last and has not come back yet meets the surface with this place in the
     /// list, and how far off that may be.
     fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
@@ -70,19 +74,20 @@ pub trait Probe {
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
     fn hit_tests(&mut self, _count: u64) {}
-    /// Surfaces that were asked whether they hide one of the scene's lights, or of its lamps, which
-    /// are counted on from them.
+    /// Surfaces that were asked whether they hide one of the scene's lights, or a point of one of its
+    /// lamps, which are counted on from the lights.
     fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
-    /// Surfaces that were asked whether they hide a point of a lamp.
-    fn lamp_tests(&mut self, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
+    /// Texels that were fetched from images, for surfaces that are seen, panes that tint a light, and
+    /// slides.
+    fn texel_fetches(&mut self, _count: u64) {}
 }
 
 impl Probe for () {}
 
 /// How much work a picture took.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Counts {
     /// Rays from the eye.
     pub camera_rays: u64,
@@ -103,8 +108,14 @@ pub struct Counts {
     pub hit_tests: u64,
     /// Surfaces that were asked whether they hide a light, or a point of a lamp.
     pub occlusion_tests: u64,
+    /// The same for every light by itself, and after the lights for every lamp; the last ones are
+    /// left out if nothing was asked for them.
+    #[serde(skip)]
+    pub occlusion_tests_of: Vec<u64>,
     /// What of that rounded values could not decide.
     pub decisions: Decisions,
+    /// Texels that were fetched from images.
+    pub texel_fetches: u64,
 }
 
 impl Counts {
@@ -129,7 +140,22 @@ impl Counts {
         self
     }
 
-    fn each(&mut self) -> [&mut u64; 11] {
+    /// Surfaces that were asked whether they hide a light, or a lamp, which are counted on from the
+    /// lights.
+    #[must_use]
+    pub fn occlusion_tests_of(&self, light: usize) -> u64 {
+        self.occlusion_tests_of.get(light).copied().unwrap_or(0)
+    }
+
+    /// Makes room for the lights up to this one.
+    #[cold]
+    fn reach_light(&mut self, light: usize) -> &mut u64 {
+        let count = self.occlusion_tests_of.len().max(light + 1);
+        self.occlusion_tests_of.resize(count, 0);
+        &mut self.occlusion_tests_of[light]
+    }
+
+    fn each(&mut self) -> impl Iterator<Item = &mut u64> {
         let Self {
             camera_rays,
             shadow_rays,
@@ -140,9 +166,11 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
+            occlusion_tests_of,
             decisions: Decisions { exactly, by_rule },
+            texel_fetches,
         } = self;
-        [
+        let alone = [
             camera_rays,
             shadow_rays,
             lamp_rays,
@@ -154,7 +182,9 @@ impl Counts {
             occlusion_tests,
             exactly,
             by_rule,
-        ]
+            texel_fetches,
+        ];
+        alone.into_iter().chain(occlusion_tests_of)
     }
 }
 
@@ -181,23 +211,30 @@ impl Probe for Counts {
         self.hit_tests += count;
     }
 
-    fn occlusion_tests(&mut self, _light: usize, count: u64) {
+    fn occlusion_tests(&mut self, light: usize, count: u64) {
         self.occlusion_tests += count;
-    }
-
-    fn lamp_tests(&mut self, count: u64) {
-        self.occlusion_tests += count;
+        match self.occlusion_tests_of.get_mut(light) {
+            Some(of_light) => *of_light += count,
+            None => *self.reach_light(light) += count,
+        }
     }
 
     fn decisions(&mut self, decisions: Decisions) {
         self.decisions = self.decisions + decisions;
+    }
+
+    fn texel_fetches(&mut self, count: u64) {
+        self.texel_fetches += count;
     }
 }
 
 impl Sum for Counts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
         counts.fold(Self::default(), |mut sum, mut next| {
-            for (sum, next) in sum.each().into_iter().zip(next.each()) {
+            if let Some(last) = next.occlusion_tests_of.len().checked_sub(1) {
+                sum.reach_light(last);
+            }
+            for (sum, next) in sum.each().zip(next.each()) {
                 *sum += *next;
             }
             sum

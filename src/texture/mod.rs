@@ -1,11 +1,13 @@
 //! Images laid over surfaces.
 
 mod decode;
+mod fetches;
 mod map;
 mod pnm;
 mod wrap;
 
 pub use decode::{DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, check, decode};
+pub use fetches::fetched_by_this_thread;
 pub use map::TextureMap;
 pub use wrap::Wrap;
 
@@ -98,6 +100,7 @@ impl Texture {
     #[must_use]
     #[inline]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
+        fetches::note(1);
         let [r, g, b] = self.texels.channels[row * self.texels.width + column];
         let intensity = |channel| self.intensities[usize::from(channel)];
         Rgb::new(intensity(r), intensity(g), intensity(b))
