@@ -131,13 +131,14 @@ impl<'a> Tracer<'a> {
         let departure = entry.departure(ray, hit);
         let travelled = path.travelled + hit.t;
         let mut local = self.local_color(ray, entry, &departure, hit, probe);
+        let mut of_lamps = Rgb::BLACK;
         if !self.plan.lamp_views.is_empty() {
-            let light = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
-            local = (local + light).saturated();
+            of_lamps = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
+            local = (local + of_lamps).saturated();
         }
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let mut color = (local / divisor).saturated();
-        probe.own_color(color);
+        probe.own_color(color, of_lamps / divisor);
 
         let material = &entry.common.material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
