@@ -7,11 +7,13 @@ use crate::accel::{Between, Casters, Entry, LampView};
 use crate::math::{Departure, Point, Ray, Rgb, Segment};
 use crate::surface::Hit;
 
-use super::{Probe, RayKind, Seed, Tracer};
+use super::{Arrival, Probe, RayKind, Seed, Tracer};
 
 /// A place that lamps light.
 #[derive(Debug)]
 struct Lit<'a> {
+    /// By which one, as onlookers are told.
+    lamp: usize,
     departure: &'a Departure<'a>,
     point: Point,
     normal: DVec3,
@@ -38,27 +40,40 @@ impl Tracer<'_> {
         }
         let diffuse = entry.surface.getdiff(hit);
         let mut color = Rgb::BLACK;
-        if diffuse.is_black() {
-            return color;
-        }
+        let lights = self.plan.scene.lights.len();
         for (number, view) in self.plan.lamp_views.iter().enumerate() {
+            let lamp = lights + number;
+            if diffuse.is_black() {
+                probe.light(lamp, Arrival::Colorless);
+                continue;
+            }
             if !view.lights(entry) {
+                probe.light(lamp, Arrival::Unplanned);
                 continue;
             }
             let arriving = view.lamp.form_factor(&hit.point, hit.normal);
             if arriving == 0.0 {
+                probe.light(lamp, Arrival::Behind);
                 continue;
             }
             let mut light = diffuse * view.lamp.emissivity() * arriving;
+            let mut passed = Rgb::WHITE;
             if entry.surface.common().shadows.receive {
                 let lit = Lit {
+                    lamp,
                     departure,
                     point: hit.point,
                     normal: hit.normal,
                     seed: seed.of_lamp(number),
                 };
-                light = light * self.share_of_lamp(entry, (number, view), &lit, probe);
+                passed = self.share_of_lamp(entry, view, &lit, probe);
+                light = light * passed;
             }
+            let arrival = Arrival::Lamp {
+                color: view.lamp.emissivity() * arriving * passed,
+                passed,
+            };
+            probe.light(lamp, arrival);
             color = (color + light).saturated();
         }
         color
@@ -68,7 +83,7 @@ impl Tracer<'_> {
     fn share_of_lamp(
         &self,
         entry: &Entry<'_>,
-        (number, view): (usize, &LampView<'_>),
+        view: &LampView<'_>,
         lit: &Lit<'_>,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -83,7 +98,7 @@ impl Tracer<'_> {
             let (end, weight) = view.lamp.sample(&lit.point, lit.normal, at);
             if weight > 0.0 {
                 sent += weight;
-                passed += self.passing((number, &casters), lit, end, probe) * weight;
+                passed += self.passing(&casters, lit, end, probe) * weight;
             }
         }
         // Where all passes, both are the same sum, and the share is 1 without rounding.
@@ -91,15 +106,14 @@ impl Tracer<'_> {
             passed / sent
         } else {
             // So little of the lamp is above the horizon that no sample is; its highest point is.
-            let highest = view.lamp.highest(lit.normal);
-            self.passing((number, &casters), lit, highest, probe)
+            self.passing(&casters, lit, view.lamp.highest(lit.normal), probe)
         }
     }
 
     /// The share of light that passes on the way to one point of a lamp.
     fn passing(
         &self,
-        (number, casters): (usize, &Casters<'_, '_>),
+        casters: &Casters<'_, '_>,
         lit: &Lit<'_>,
         end: Point,
         probe: &mut impl Probe,
@@ -111,7 +125,7 @@ impl Tracer<'_> {
         probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);
-        probe.occlusion_tests(self.plan.scene.lights.len() + number, tests);
+        probe.occlusion_tests(lit.lamp, tests);
         passed
     }
 }

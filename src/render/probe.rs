@@ -32,13 +32,17 @@ pub enum Unfollowed {
     Capped(f64),
 }
 
-/// What arrives at a surface from a light.
+/// What arrives at a surface from a light or a lamp.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Arrival {
     /// The plan says that the light cannot light the surface.
     Unplanned,
-    /// The light is behind the surface.
+    /// The light is in the very place that is lit, so that no direction leads to it.
+    Here,
+    /// The light, or all of the lamp, is behind the surface.
     Behind,
+    /// The surface has no colour here that answers to a lamp.
+    Colorless,
     /// The beam passes by.
     OutsideBeam,
     /// Something stands in the way.
@@ -49,6 +53,13 @@ pub enum Arrival {
         color: Rgb,
         /// Whether the plan says that nothing can stand in the way.
         unasked: bool,
+    },
+    /// This of a lamp; without a ray if all of it is known to pass, or nothing.
+    Lamp {
+        /// What arrives, shadows included: by how much it lights white chalk.
+        color: Rgb,
+        /// The share of the lamp's light that passes what stands in its way.
+        passed: Rgb,
     },
 }
 
@@ -65,11 +76,12 @@ pub trait Probe {
     /// The ray that set out last and has not come back yet meets the surface with this place in the
     /// list, and how far off that may be.
     fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
-    /// What one of the scene's lights adds where that ray has met a surface.
+    /// What arrives where that ray has met a surface from one of the scene's lights, or of its lamps,
+    /// which are counted on from the lights.
     fn light(&mut self, _light: usize, _arrival: Arrival) {}
-    /// What the surface itself sends back to the eye: its ambient colour and that of all lights,
-    /// faded.
-    fn own_color(&mut self, _color: Rgb) {}
+    /// What the surface itself sends back to the eye, faded: its ambient colour, and that of all
+    /// lights and lamps; and what of it the lamps give, or the lamp that the surface is.
+    fn own_color(&mut self, _color: Rgb, _of_lamps: Rgb) {}
     /// That ray comes back with this colour, before its surface takes its share.
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.

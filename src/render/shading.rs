@@ -31,6 +31,7 @@ impl Tracer<'_> {
                 continue;
             };
             let Some(segment) = Segment::new(departure, light.location) else {
+                probe.light(index, Arrival::Here);
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);

@@ -148,18 +148,19 @@ impl<'a> Tracer<'a> {
         if !sends_on && self.plan.is_unlit() {
             // No ray leaves here, so nothing has to be known of rays that would.
             let color = (surface.getamb(hit) / divisor).saturated();
-            probe.own_color(color);
+            probe.own_color(color, Rgb::BLACK);
             probe.came_back(color);
             return color;
         }
         let departure = entry.departure(ray, hit);
         let mut local = self.local_color(ray, entry, &departure, hit, probe);
+        let mut of_lamps = Rgb::BLACK;
         if !self.plan.lamp_views.is_empty() {
-            let light = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
-            local = (local + light).saturated();
+            of_lamps = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
+            local = (local + of_lamps).saturated();
         }
         let mut color = (local / divisor).saturated();
-        probe.own_color(color);
+        probe.own_color(color, of_lamps / divisor);
         if !sends_on {
             probe.came_back(color);
             return color;
