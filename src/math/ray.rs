@@ -291,8 +291,7 @@ impl Span {
     #[must_use]
     pub fn until(self, t: f64) -> Self {
         Self {
-            // Not `min`, which takes longer to keep what is not a number out.
-            max: if t < self.max { t } else { self.max },
+            max: self.max.min(t),
             ..self
         }
     }

@@ -188,7 +188,6 @@ impl<'a> Painter<'a> {
 
 /// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
 /// samples, unclamped, summed in their order.
-#[inline(always)]
 pub fn pixel_color(
     tracer: Tracer<'_>,
     scene: &Scene,
