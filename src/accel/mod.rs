@@ -148,7 +148,7 @@ fn entries<'a>(
 }
 
 /// The one of some surfaces that a ray meets first.
-#[inline(always)]
+#[inline]
 fn nearest<'e, 'a>(
     entries: impl Iterator<Item = &'e Entry<'a>>,
     ray: &Ray,
