@@ -230,7 +230,7 @@ mod tests {
         while let Some((node, depth)) = waiting.pop() {
             match nodes[node as usize].content {
                 Content::Boxes(first) => {
-                    waiting.extend([(first, depth + 1), (first + 1, depth + 1)])
+                    waiting.extend([(first, depth + 1), (first + 1, depth + 1)]);
                 }
                 Content::Surfaces(first, end) => {
                     for item in &items[first as usize..end as usize] {
