@@ -205,7 +205,7 @@ impl<'a> LampView<'a> {
 
 impl Casters<'_, '_> {
     /// The share of light that passes along a segment to one place of the lamp; as
-    /// [`LightView::transmittance`](super::LightView::transmittance).
+    /// [`Before::transmittance`](super::Before::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;
@@ -224,7 +224,7 @@ impl Casters<'_, '_> {
                 return Rgb::BLACK;
             }
             crossed.extend(support);
-            if let Some(hit) = surface.hits(&segment.ray, segment.span) {
+            if let Some(hit) = surface.hits(&segment.ray, segment.span.span()) {
                 let hit = surface.settle(&hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }

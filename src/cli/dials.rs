@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::camera::Pattern;
 use crate::film::Rounding;
 use crate::math::Numerics;
 use crate::scene::Setting;
@@ -14,6 +15,9 @@ pub(super) struct Dials {
     /// Rays through each pixel.
     #[arg(long, value_name = "N", value_parser = number("samples"))]
     samples: Option<Setting>,
+    /// How several rays are spread over a pixel.
+    #[arg(long, value_name = "WORD", value_parser = word("pattern", &Pattern::WORDS))]
+    pattern: Option<Setting>,
     /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
     #[arg(long, value_name = "X", value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
@@ -28,7 +32,13 @@ pub(super) struct Dials {
 impl Dials {
     /// What is said, in the order of the fields.
     pub(super) fn settings(&self) -> Vec<Setting> {
-        let all = [&self.samples, &self.cut_off, &self.quantize, &self.numerics];
+        let all = [
+            &self.samples,
+            &self.pattern,
+            &self.cut_off,
+            &self.quantize,
+            &self.numerics,
+        ];
         all.into_iter().flatten().cloned().collect()
     }
 }

@@ -207,6 +207,7 @@ impl Flat {
     /// The distance at which a ray meets the plane, and how far at most it is from the exact one;
     /// `None` if it does not do so ahead and in the span.
     #[must_use]
+    #[inline]
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
         let crossing = self.crossing(ray)?;
         let t = crossing.distance();
@@ -218,6 +219,7 @@ impl Flat {
     ///
     /// The part along the normal is rounding and is taken off.
     #[must_use]
+    #[inline]
     pub fn foot(&self, ray: &Ray, t: f64) -> Point {
         let offset = ray.origin.from(self.point) + ray.dir * t;
         Point {

@@ -131,6 +131,13 @@ impl<'a> Plan<'a> {
         })
     }
 
+    /// Whether there is neither a light nor a lamp.
+    #[must_use]
+    #[inline]
+    pub fn is_unlit(&self) -> bool {
+        self.light_views.is_empty() && self.lamp_views.is_empty()
+    }
+
     /// Whether each effect is simulated, and why.
     #[must_use]
     pub fn decisions(&self) -> Vec<Decision> {

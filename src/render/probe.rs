@@ -69,6 +69,10 @@ pub trait Probe {
     fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
     /// A ray does not set out.
     fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
+    /// Whether it has to be told how far off hits may be; it costs a little to know.
+    fn follows_errors(&self) -> bool {
+        false
+    }
     /// The ray that set out last and has not come back yet meets the surface with this place in the
     /// list, and how far off that may be.
     fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}

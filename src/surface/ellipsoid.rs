@@ -236,7 +236,7 @@ impl Surface for Ellipsoid {
         if let Some(passes) = self.lets_out(segment, end) {
             return passes;
         }
-        let Some((t, _)) = self.entry(&segment.ray) else {
+        let Some((t, error)) = self.entry(&segment.ray) else {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
@@ -254,7 +254,7 @@ impl Surface for Ellipsoid {
                 exact,
             )
         };
-        (end == Side::Back || beyond()) && segment.span.contains(t)
+        (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
     fn texture(&self) -> Option<&Texture> {

@@ -112,8 +112,10 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// that the segment's end is on.
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         // A light on the surface itself is not hidden by it.
-        let hit = self.hits(&segment.ray, segment.span);
-        hit.is_some_and(|hit| hit.t < segment.length)
+        let hit = self.hits(&segment.ray, segment.span.span());
+        hit.is_some_and(|hit| {
+            hit.t < segment.length && segment.admits(hit.t, || hit.error, self.flat())
+        })
     }
 
     /// The distance at which a ray meets the surface, exactly: for hits whose order is in doubt.

@@ -217,7 +217,7 @@ impl Surface for Sphere {
         if let Some(passes) = self.lets_out(segment, end) {
             return passes;
         }
-        let Some((t, _)) = self.entry(&segment.ray) else {
+        let Some((t, error)) = self.entry(&segment.ray) else {
             return false;
         };
         // The line is nearest to the centre inside, so an end outside lies before or beyond that
@@ -228,7 +228,7 @@ impl Surface for Sphere {
             way.dot(&dir.into())
         };
         let beyond = || is_beyond(segment.end.parts_from(self.center), dir, exact);
-        (end == Side::Back || beyond()) && segment.span.contains(t)
+        (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
     fn texture(&self) -> Option<&Texture> {

@@ -81,7 +81,7 @@ impl TextureMap {
     /// The colour of a texel counted from the lower-left one.
     ///
     /// Beyond 2⁵³ texels no double says which one it is, and the mean colour of all is seen.
-    #[inline]
+    #[inline(always)]
     fn texel(&self, [column, row]: [f64; 2]) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
         if self.wrap == Wrap::Repeat && column.abs().max(row.abs()) >= Grid::MOST_CELLS {
