@@ -6,6 +6,8 @@ pub mod classic;
 mod common;
 mod globe;
 mod inside;
+mod lamp_form;
+mod lamp_light;
 mod weld;
 
 use std::fmt;
