@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::film::Rounding;
 use crate::math::Numerics;
 use crate::scene::Setting;
+use crate::texture::Filter;
 
 /// Settings of the `image` node.
 #[derive(Debug, Clone, Args)]
@@ -23,12 +24,21 @@ pub(super) struct Dials {
     /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
     #[arg(long, value_name = "WORD", value_parser = word("numerics", &Numerics::WORDS))]
     numerics: Option<Setting>,
+    /// What is seen of a texture in a pixel: the texel in its middle, or more.
+    #[arg(long, value_name = "WORD", value_parser = word("texture-filter", &Filter::WORDS))]
+    texture_filter: Option<Setting>,
 }
 
 impl Dials {
     /// What is said, in the order of the fields.
     pub(super) fn settings(&self) -> Vec<Setting> {
-        let all = [&self.samples, &self.cut_off, &self.quantize, &self.numerics];
+        let all = [
+            &self.samples,
+            &self.cut_off,
+            &self.quantize,
+            &self.numerics,
+            &self.texture_filter,
+        ];
         all.into_iter().flatten().cloned().collect()
     }
 }

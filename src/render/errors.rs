@@ -95,6 +95,10 @@ impl Probe for Certificate {
         self.counts.lamp_tests(count);
     }
 
+    fn texel_fetches(&mut self, count: u64) {
+        self.counts.texel_fetches(count);
+    }
+
     fn decisions(&mut self, decisions: Decisions) {
         self.counts.decisions(decisions);
     }

@@ -1,5 +1,6 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod beams;
 mod errors;
 mod lamps;
 mod media;

@@ -75,6 +75,8 @@ pub trait Probe {
     fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
     /// Surfaces that were asked whether they hide a point of a lamp.
     fn lamp_tests(&mut self, _count: u64) {}
+    /// Texels, or sums of texels, that a filter looked up.
+    fn texel_fetches(&mut self, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
 }
@@ -103,6 +105,8 @@ pub struct Counts {
     pub hit_tests: u64,
     /// Surfaces that were asked whether they hide a light, or a point of a lamp.
     pub occlusion_tests: u64,
+    /// Texels, or sums of texels, that filters looked up; `nearest` is none.
+    pub texel_fetches: u64,
     /// What of that rounded values could not decide.
     pub decisions: Decisions,
 }
@@ -129,7 +133,7 @@ impl Counts {
         self
     }
 
-    fn each(&mut self) -> [&mut u64; 11] {
+    fn each(&mut self) -> [&mut u64; 12] {
         let Self {
             camera_rays,
             shadow_rays,
@@ -140,6 +144,7 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
+            texel_fetches,
             decisions: Decisions { exactly, by_rule },
         } = self;
         [
@@ -152,6 +157,7 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
+            texel_fetches,
             exactly,
             by_rule,
         ]
@@ -187,6 +193,10 @@ impl Probe for Counts {
 
     fn lamp_tests(&mut self, count: u64) {
         self.occlusion_tests += count;
+    }
+
+    fn texel_fetches(&mut self, count: u64) {
+        self.texel_fetches += count;
     }
 
     fn decisions(&mut self, decisions: Decisions) {
