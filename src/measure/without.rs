@@ -62,7 +62,9 @@ fn off(node: Node, effect: Effect) -> Node {
             let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
             without_attribute(plane, "texture")
         }
-        Effect::TextureFilter => with_property(node, "texture-filter", Filter::Nearest.word().into()),
+        Effect::TextureFilter => {
+            with_property(node, "texture-filter", Filter::Nearest.word().into())
+        }
         Effect::Antialiasing => with_property(node, "samples", Value::Number(1.0)),
     }
 }

@@ -165,7 +165,9 @@ impl<'a> Tracer<'a> {
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = everything && path.weight > 0.0;
         let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
-            let beam = path.beam.map(|beam| self.onward(beam, entry, (ray, hit), (kind, dir)));
+            let beam = path
+                .beam
+                .map(|beam| self.onward(beam, entry, (ray, hit), (kind, dir)));
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),

@@ -15,7 +15,7 @@ use crate::math::{Footprint, Rgb};
 
 /// How many times as far as the nearest place in a pixel the farthest is that is not summed up in one:
 /// what lies beyond is less than this part of the pixel.
-const FARTHEST: f64 = 256.0;
+const FARTHEST: f64 = 1024.0;
 
 /// The number of bands is the square root of this many times the logarithm of what depths there are.
 ///
@@ -40,7 +40,10 @@ pub(super) fn mean(
     let seen = Polygon::showing(footprint, size);
     let depths = || seen.corners().iter().map(|corner| corner.image.z);
     // Depth is one over what lies in z.
-    let (far, near) = (depths().fold(f64::MAX, f64::min), depths().fold(0.0, f64::max));
+    let (far, near) = (
+        depths().fold(f64::MAX, f64::min),
+        depths().fold(0.0, f64::max),
+    );
     if !(far > 0.0 && near <= f64::MAX && seen.area() > 0.0) {
         return None;
     }

@@ -113,7 +113,13 @@ impl TextureMap {
         // Out there no double says which texels are covered.
         if size.max_element() >= Grid::MOST_CELLS / 1024.0 {
             let spread = footprint.spread();
-            return self.around(Filter::Anisotropic, nearest, &spread, [self.wrap; 2], fetches);
+            return self.around(
+                Filter::Anisotropic,
+                nearest,
+                &spread,
+                [self.wrap; 2],
+                fetches,
+            );
         }
         let sums = self.texture.sums();
         area::mean(sums, footprint, size, fetches).unwrap_or(nearest)

@@ -101,7 +101,11 @@ impl Pyramid {
         let last = self.images.len() as f64;
         // Of a size that no number can tell, there is only the mean; log2(0) is below all levels.
         let level = libm::log2(size);
-        let level = if level.is_nan() { last } else { level.clamp(0.0, last) };
+        let level = if level.is_nan() {
+            last
+        } else {
+            level.clamp(0.0, last)
+        };
         let low = level.floor();
         #[expect(
             clippy::cast_possible_truncation,
