@@ -19,6 +19,7 @@ pub(super) fn lines(counts: &Counts) -> String {
         ("rays cut off by the cap", counts.capped_rays),
         ("surfaces asked for a hit", counts.hit_tests),
         ("surfaces asked for a shadow", counts.occlusion_tests),
+        ("texels looked up by filters", counts.texel_fetches),
         ("signs taken exactly", counts.decisions.exactly),
         ("ties by rule", counts.decisions.by_rule),
     ];

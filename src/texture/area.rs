@@ -70,7 +70,7 @@ pub(super) fn mean(
     let mut high = near;
     let mut number = 1.0;
     while number < bands {
-        let low = near * libm::exp(-range * number / bands);
+        let low = near / libm::exp(range * number / bands);
         add(low, high);
         high = low;
         number += 1.0;
@@ -114,33 +114,30 @@ fn along_edge(sums: &Sums, from: DVec2, to: DVec2, area: f64, fetches: &mut u64)
     let steps = (way.x * way.y).abs() / (8.0 * CUT_OFF * area);
     let steps = steps.ceil().clamp(1.0, MOST_STEPS);
     let mut sum = DVec3::ZERO;
-    let mut strip = |start: f64, end: f64| {
-        *fetches += 1;
-        let middle = from.x + way.x * ((start + end) / 2.0);
-        sum += sums.strip(middle, from.y + way.y * start, from.y + way.y * end);
-    };
+    let mut start = 0.0;
     if lines > 2.0 * steps + 4.0 {
-        let (mut number, mut start) = (1.0, 0.0);
+        let mut number = 1.0;
         while number <= steps {
             let end = number / steps;
-            strip(start, end);
+            let middle = from.x + way.x * ((start + end) / 2.0);
+            sum += sums.strip(middle, from.y + way.y * start, from.y + way.y * end);
+            *fetches += 1;
             (number, start) = (number + 1.0, end);
         }
-    } else {
-        // From one texel to the next, which is exact.
-        let mut crossings = [0, 1].map(|axis| Crossings::new(from[axis], way[axis]));
-        let mut start = 0.0;
-        while start < 1.0 {
-            let [x, y] = &crossings;
-            let end = x.next.min(y.next).min(1.0);
-            if end > start {
-                strip(start, end);
-            }
-            for crossing in &mut crossings {
-                crossing.pass(end);
-            }
-            start = end;
+        return sum;
+    }
+    // From one texel to the next, which is exact.
+    let mut crossings = [0, 1].map(|axis| Crossings::new(from[axis], way[axis]));
+    while start < 1.0 {
+        let [x, y] = &crossings;
+        let end = x.next.min(y.next).min(1.0);
+        let middle = from + way * ((start + end) / 2.0);
+        sum += sums.row(middle) * (way.y * (end - start));
+        *fetches += 1;
+        for crossing in &mut crossings {
+            crossing.pass(end);
         }
+        start = end;
     }
     sum
 }

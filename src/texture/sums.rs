@@ -57,47 +57,71 @@ impl Sums {
     }
 
     /// The channels summed up over the strip from 0 to `right` and from `bottom` to `top`, in texels;
-    /// parts of texels count as such, and the texture is repeated.
+    /// parts of texels count as such, and the texture is repeated. No place is below zero, but for
+    /// rounding.
     pub(super) fn strip(&self, right: f64, bottom: f64, top: f64) -> DVec3 {
-        self.corner(right, top) - self.corner(right, bottom)
+        let right = Place::new(right, self.sides.x);
+        let [bottom, top] = [bottom, top].map(|place| Place::new(place, self.sides.y));
+        self.corner(&right, &top) - self.corner(&right, &bottom)
+    }
+
+    /// The channels summed up from 0 to the place's x, over the row of texels that the place lies in.
+    #[inline]
+    pub(super) fn row(&self, place: DVec2) -> DVec3 {
+        let (right, row) = (
+            Place::new(place.x, self.sides.x),
+            Place::new(place.y, self.sides.y),
+        );
+        self.below(&right, row.cell + 1) - self.below(&right, row.cell)
     }
 
     /// The sum over the rectangle from the origin to this corner.
-    fn corner(&self, x: f64, y: f64) -> DVec3 {
-        let whole = DVec2::new((x / self.sides.x).floor(), (y / self.sides.y).floor());
-        let inside = DVec2::new(x, y) - whole * self.sides;
-        let mut sum = self.within(inside);
-        if whole.x != 0.0 {
-            sum += self.within(DVec2::new(self.sides.x, inside.y)) * whole.x;
+    fn corner(&self, x: &Place, y: &Place) -> DVec3 {
+        let low = self.below(x, y.cell);
+        let sum = low + (self.below(x, y.cell + 1) - low) * y.share;
+        if y.whole == 0.0 {
+            return sum;
         }
-        if whole.y != 0.0 {
-            let row = self.within(DVec2::new(inside.x, self.sides.y));
-            sum += (row + self.total() * whole.x) * whole.y;
-        }
-        sum
+        sum + self.below(x, self.sums.len() / self.stride - 1) * y.whole
     }
 
-    /// The sum of all texels.
-    fn total(&self) -> DVec3 {
-        self.sums[self.sums.len() - 1]
+    /// The sum over so many rows from the bottom, from 0 to a place along them.
+    #[inline]
+    fn below(&self, x: &Place, rows: usize) -> DVec3 {
+        let row = &self.sums[rows * self.stride..][..self.stride];
+        let left = row[x.cell];
+        left + (row[x.cell + 1] - left) * x.share + row[self.stride - 1] * x.whole
     }
+}
 
-    /// The sum over the rectangle from the origin to a corner inside of the texture.
-    fn within(&self, corner: DVec2) -> DVec3 {
-        let last = self.sides - DVec2::ONE;
-        let cell = corner.floor().clamp(DVec2::ZERO, last);
-        let share = corner - cell;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "clamped to the texture"
-        )]
-        let place = cell.y as usize * self.stride + cell.x as usize;
-        let below = &self.sums[place..place + 2];
-        let above = &self.sums[place + self.stride..place + self.stride + 2];
-        let low = below[0] + (below[1] - below[0]) * share.x;
-        let high = above[0] + (above[1] - above[0]) * share.x;
-        low + (high - low) * share.y
+/// A place along one side of a texture that is repeated.
+#[derive(Debug)]
+struct Place {
+    /// How many whole textures lie before it.
+    whole: f64,
+    /// The texel in which it lies.
+    cell: usize,
+    /// How far it lies in there.
+    share: f64,
+}
+
+impl Place {
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "places are far below 2^53; what rounding put below zero is in the first texel"
+    )]
+    fn new(place: f64, side: f64) -> Self {
+        let whole = (place / side) as u64 as f64;
+        let inside = place - whole * side;
+        let cell = (inside as usize).min(side as usize - 1);
+        Self {
+            whole,
+            cell,
+            share: inside - cell as f64,
+        }
     }
 }
 
@@ -121,13 +145,13 @@ mod tests {
             deep: false,
         };
         let sums = Sums::new(&texels, 255.0);
-        let red = |x, y| sums.corner(x, y).x;
+        let red = |x, y| sums.strip(x, 0.0, y).x;
         // The lower row is 4 5 6.
         let found = [red(1.0, 1.0), red(2.5, 1.0), red(3.0, 2.0), red(0.5, 1.5)];
         assert_eq!(found, [4.0, 12.0, 21.0, 2.25]);
-        // Another period to the right, and one upwards; and one to the left.
+        // Another period to the right, and one upwards.
         assert_eq!([red(4.0, 1.0), red(6.0, 4.0)], [19.0, 84.0]);
-        assert_eq!([red(-1.0, 1.0), red(-3.0, 2.0)], [-6.0, -21.0]);
         assert_eq!(sums.strip(1.5, 1.0, 1.5).x, 1.0);
+        assert_eq!(sums.row(DVec2::new(4.5, 3.9)).x, 6.0 + 1.0 + 1.0);
     }
 }
