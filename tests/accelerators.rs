@@ -108,7 +108,10 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
                 met.map(|(entry, hit)| (entry.index, hit))
             });
             let passed = Segment::new(&departure, light).map(|segment| {
-                [0, 1].map(|which| views[which][0].transmittance(entry, &hit, &segment, &mut 0))
+                [0, 1].map(|which| {
+                    let before = views[which][0].before(entry);
+                    before.map(|before| before.transmittance(&hit, &segment, &mut 0))
+                })
             });
             met[0] != met[1] || then[0] != then[1] || passed.is_some_and(|both| both[0] != both[1])
         })

@@ -5,6 +5,8 @@ mod shell;
 
 #[path = "cli/certify.rs"]
 mod certify;
+#[path = "cli/crop.rs"]
+mod crop;
 #[path = "cli/determinism.rs"]
 mod determinism;
 #[path = "cli/exit_codes.rs"]

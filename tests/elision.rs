@@ -3,6 +3,8 @@
 //! `HELIODON_ELISION_SCENES=10000 cargo test --release --test elision` draws that many random
 //! scenes; `HELIODON_ELISION_FROM` begins with another one.
 
+#[path = "elision/budget.rs"]
+mod budget;
 #[path = "elision/generator.rs"]
 mod generator;
 #[path = "oracle/random.rs"]

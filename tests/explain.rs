@@ -68,6 +68,9 @@ fn pixels_tell_their_stories() {
         ("coloured-glass", "coloured-glass-window", "300,300"),
         ("two-cameras-look-at", "two-cameras-ball", "420,300"),
         ("spotlights", "spotlights-middle", "400,300"),
+        ("lamp-room", "lamp-room-penumbra", "520,380"),
+        ("lamp-room", "lamp-room-ceiling", "320,40"),
+        ("globe-lamp", "globe-lamp-table", "430,400"),
     ];
     let changed = changed.into_iter().filter_map(|(scene, name, pixel)| {
         let scene = format!("scenes/{scene}.kdl");
@@ -116,18 +119,106 @@ fn measured_work_is_what_rendering_takes_and_an_estimate_is_near() {
             .chain(more)
             .copied()
             .collect();
-        answer(&arguments)["work"]["counts"].clone()
+        answer(&arguments)["work"].clone()
     };
     let folder = env!("CARGO_TARGET_TMPDIR");
     let out = format!("{folder}/explained.png");
-    let rendered = answer(&["render", "scenes/room.kdl", "--json", "-o", &out])["rays"].clone();
-    assert_eq!(explained(&["--measure"]), rendered);
-    let estimated = explained(&[]);
+    let render = ["render", "scenes/room.kdl", "--stats", "--json", "-o", &out];
+    let (rendered, measured) = (answer(&render), explained(&["--measure"]));
+    assert_eq!(measured["counts"], rendered["rays"]);
+    assert_eq!(measured["by_light"], rendered["by_light"]);
+    let by_light = measured["by_light"].as_array().expect("a list");
+    let tests = by_light.iter().map(|light| &light["occlusion_tests"]);
+    let sum: u64 = tests.filter_map(Value::as_u64).sum();
+    assert_eq!(
+        (by_light.len(), sum),
+        (2, rendered["rays"]["occlusion_tests"].as_u64().unwrap_or(0))
+    );
+    let (rendered, estimated) = (&rendered["rays"], &explained(&[])["counts"]);
     for kind in ["camera_rays", "mirror_rays", "shadow_rays", "hit_tests"] {
-        let [estimate, exact] = [&estimated, &rendered].map(|counts| counts[kind].as_f64());
+        let [estimate, exact] = [estimated, rendered].map(|counts| counts[kind].as_f64());
         let ratio = estimate.expect("a number") / exact.expect("a number");
         assert!((0.9..1.1).contains(&ratio), "{kind}: {ratio}");
     }
+}
+
+#[test]
+fn lamps_are_told_after_the_lights_with_what_stands_in_their_way() {
+    let explained = answer(&["explain", "scenes/globe-lamp.kdl", "--json"]);
+    let titles = |rows: &Value| -> Vec<_> {
+        let rows = rows.as_array().expect("a list").iter();
+        rows.map(|row| row["light"]["title"].clone()).collect()
+    };
+    let lamps = [r#"lamp "globe""#, r#"lamp "window""#];
+    assert_eq!(titles(&explained["lights"]), lamps);
+    assert_eq!(titles(&explained["work"]["by_light"]), lamps);
+    for (number, lamp) in explained["lights"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .enumerate()
+    {
+        assert_eq!(lamp["is_lamp"], true);
+        // All surfaces are told to be lit or not, and to cast shadows or not, but for the lamp.
+        let count = |list: &str| lamp[list].as_array().expect("a list").len();
+        let lit = lamp["lights"].as_u64().expect("a count");
+        assert_eq!(lit + count("unlit") as u64, 11);
+        assert_eq!(count("casters") + count("casts_nothing"), 10);
+        let unlit = lamp["unlit"].to_string();
+        assert!(unlit.contains(r#"[0,"colorless"]"#), "{unlit}");
+        assert_eq!(unlit.contains(r#"[1,"behind"]"#), number == 1, "{unlit}");
+    }
+}
+
+#[test]
+fn what_a_pixel_gets_of_each_lamp_is_told_by_itself() {
+    let story = answer(&[
+        "explain",
+        "scenes/globe-lamp.kdl",
+        "--json",
+        "--pixel",
+        "430,400",
+    ]);
+    for ray in story["rays"].as_array().expect("a list") {
+        let lights = ray["lights"].as_array().expect("a list");
+        assert_eq!(lights.len(), 2);
+        let red = |color: &Value| color[0].as_f64().expect("a number");
+        // Some rays to the far end of the window would leave below the table.
+        assert_eq!(lights[0]["rays"], 16);
+        assert!(
+            lights[1]["rays"]
+                .as_u64()
+                .is_some_and(|rays| (8..16).contains(&rays))
+        );
+        let mut sum = 0.0;
+        for light in lights {
+            let share = red(&light["share"]);
+            assert!(share > 0.0 && share < 1.0, "{light}");
+            sum += red(&light["arrives"]);
+        }
+        // The scene fades nothing on the way to the eye, and the table answers with so much red.
+        let answered = red(&ray["of_lamps"]) / sum;
+        assert!((answered - 0.62).abs() < 1e-12, "{answered}");
+        assert!(red(&ray["of_lamps"]) < red(&ray["own"]));
+    }
+}
+
+#[test]
+fn a_light_in_the_very_place_that_it_would_light_is_told() {
+    let text = r#"
+        image 3 3
+        camera { viewpoint 0 0 9; look-at 0 0 0 }
+        material "chalk" { ambient 1; diffuse 1 }
+        light "spark" { location 0 0 0; emissivity 9 }
+        sphere "ball" { material "chalk"; center 0 0 -1; radius 1 }
+    "#;
+    let scene = format!("{}/spark.kdl", env!("CARGO_TARGET_TMPDIR"));
+    fs::write(&scene, text).expect("a scene");
+    let (text, _, code) = said(&["explain", &scene, "--pixel", "1,1"]);
+    assert_eq!(code, 0);
+    let line =
+        r#"light "spark" (line 5): is in this very place, so that its light has no direction"#;
+    assert!(text.contains(line), "{text}");
 }
 
 #[test]

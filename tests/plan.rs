@@ -1,5 +1,7 @@
 //! What a plan leaves out, and how it bounds what it does not follow.
 
+#[path = "plan/counts.rs"]
+mod counts;
 #[path = "plan/tail.rs"]
 mod tail;
 #[path = "plan/zeros.rs"]

@@ -126,9 +126,9 @@ fn error_of_exact(camera: &str, texel: f64, image: ([u32; 2], Painter)) -> f64 {
     let reference = scene(&text([24, 16]), folder.path(), Filter::Nearest, 65_536);
     let reference = drawn(&reference).0;
     let (film, counts) = drawn(&scene(&text([12, 8]), folder.path(), Filter::Exact, 1));
-    // A strip takes less time than a ray.
+    // A strip takes far less time than a ray.
     assert_eq!(counts.camera_rays, 12 * 8);
-    assert!(counts.texel_fetches < 1024 / 2 * 12 * 8, "{counts:?}");
+    assert!(counts.texel_fetches < 1024 * 12 * 8, "{counts:?}");
     let mut most = 0.0f64;
     for (x, y) in (0..8).flat_map(|y| (0..12).map(move |x| (x, y))) {
         let found = film.pixel(x, y);
@@ -289,7 +289,8 @@ fn threads_and_what_is_left_out_change_nothing() {
             pool.install(|| observed::<Counts>(&scene, scope, &|_| ()).expect("a picture"))
         };
         let (one, counts) = draw(1, Scope::CalledFor);
-        assert_eq!(counts.texel_fetches > 0, filter != Filter::Nearest);
+        let nearest = filter == Filter::Nearest;
+        assert_eq!(counts.texel_fetches <= counts.rays(), nearest);
         let (three, same) = draw(3, Scope::CalledFor);
         assert_eq!(counts, same);
         let (everything, _) = draw(2, Scope::Everything);

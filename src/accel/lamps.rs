@@ -132,6 +132,36 @@ impl<'a> LampView<'a> {
         view
     }
 
+    /// Forgets the surfaces, by their places in the list, that the lamp is not to light.
+    pub fn retain(&mut self, lights: impl Fn(usize) -> bool) {
+        for (surface, list) in self.list_of.iter_mut().enumerate() {
+            *list = list.filter(|_| lights(surface));
+        }
+    }
+
+    /// Whether some of the lamp lies strictly before a surface's plane, or the surface is not flat.
+    #[must_use]
+    pub fn is_before(&self, surface: &dyn Surface) -> bool {
+        let lamp = Body::of_surface(self.lamp, None);
+        lamp.is_before(&Body::of_surface(surface, None))
+    }
+
+    /// The surfaces, by their places in the list, that can stand between the lamp and this one.
+    #[must_use]
+    pub fn casters_of(&self, surface: usize) -> Vec<usize> {
+        let list = self.list_of[surface].map_or(&[][..], |list| &self.lists[list]);
+        let casters = list.iter().map(|caster| &self.casters[*caster]);
+        casters.map(|caster| caster.entry.index).collect()
+    }
+
+    /// The side of a surface, by its place in the list, that all of the lamp is on, but for what
+    /// touches it; `None` if there is none, or if the surface lies in the lamp's own plane.
+    #[must_use]
+    pub fn side_of(&self, surface: usize) -> Option<Side> {
+        let caster = self.casters.iter().find(|it| it.entry.index == surface);
+        caster?.side
+    }
+
     /// Whether light from here can reach the front of a surface at all.
     #[must_use]
     pub fn lights(&self, entry: &Entry<'_>) -> bool {
@@ -175,7 +205,7 @@ impl<'a> LampView<'a> {
 
 impl Casters<'_, '_> {
     /// The share of light that passes along a segment to one place of the lamp; as
-    /// [`LightView::transmittance`](super::LightView::transmittance).
+    /// [`Before::transmittance`](super::Before::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;
@@ -194,7 +224,7 @@ impl Casters<'_, '_> {
                 return Rgb::BLACK;
             }
             crossed.extend(support);
-            if let Some(hit) = surface.hits(&segment.ray, segment.span) {
+            if let Some(hit) = surface.hits(&segment.ray, segment.span.span()) {
                 let hit = surface.settle(&hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }

@@ -17,7 +17,7 @@ mod tree;
 pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
-pub use shadows::LightView;
+pub use shadows::{Before, LightView};
 pub use sight::Sight;
 pub use supports::supports;
 
@@ -25,7 +25,7 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::math::{Curve, Decisions, Departure, Flat, Ray, Span, Support};
+use crate::math::{Curve, Decisions, Departure, Flat, Limits, Ray, Span, Support};
 use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
 
@@ -48,6 +48,8 @@ pub struct Entry<'a> {
     pub flat: Option<&'a Flat>,
     /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
     pub is_entered: bool,
+    /// Whether rays that meet it cause others.
+    pub sends_on: bool,
     /// What it has like every surface.
     pub common: &'a Common,
     /// Its place in the list.
@@ -104,12 +106,18 @@ impl<'a> SurfaceList<'a> {
     /// Of equally near ones the first in the file wins. `tests` is raised by the number of surfaces
     /// that are asked.
     #[must_use]
-    pub fn nearest(&self, ray: &Ray, span: Span, tests: &mut u64) -> Option<(&Entry<'a>, Hit)> {
+    pub fn nearest<'r>(
+        &self,
+        ray: &'r Ray<'r>,
+        span: impl Into<Limits<'r>>,
+        tests: &mut u64,
+    ) -> Option<(&Entry<'a>, Hit)> {
+        let span = span.into();
         let Some(tree) = &self.tree else {
             return nearest(self.entries.iter(), ray, span, tests);
         };
         let mut search = Search::new(ray, span);
-        tree.walk(ray, span.max(), |index, _| {
+        tree.walk(ray, span.span().max(), |index, _| {
             search.ask(&self.entries[index], tests);
             ControlFlow::Continue(search.span.max())
         });
@@ -133,17 +141,18 @@ fn entries<'a>(
                 && surface.common().material.is_entered()
                 // A sheet has the number of the first surface on it.
                 && support.is_some_and(|Support(first)| first as usize == index),
+            sends_on: surface.common().material.sends_on(),
             index,
         })
         .collect()
 }
 
 /// The one of some surfaces that a ray meets first.
-#[inline]
+#[inline(always)]
 fn nearest<'e, 'a>(
     entries: impl Iterator<Item = &'e Entry<'a>>,
     ray: &Ray,
-    span: Span,
+    span: Limits<'_>,
     tests: &mut u64,
 ) -> Option<(&'e Entry<'a>, Hit)> {
     let mut search = Search::new(ray, span);
@@ -158,17 +167,20 @@ fn nearest<'e, 'a>(
 struct Search<'e, 'a, 'r> {
     ray: &'r Ray<'r>,
     left: Option<Support>,
-    /// The distances that still count.
+    /// What counts.
+    limits: Limits<'r>,
+    /// The distances that still may.
     span: Span,
     best: Option<(&'e Entry<'a>, Hit)>,
 }
 
 impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
-    fn new(ray: &'r Ray<'r>, span: Span) -> Self {
+    fn new(ray: &'r Ray<'r>, limits: Limits<'r>) -> Self {
         Self {
             ray,
             left: ray.leaves(),
-            span,
+            limits,
+            span: limits.span(),
             best: None,
         }
     }
@@ -183,6 +195,9 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
         let Some(hit) = &met else {
             return;
         };
+        if !self.limits.hold(hit.t, hit.error, entry.flat) {
+            return;
+        }
         if let Some((best, best_hit)) = &self.best
             && !entry.is_before(hit, best, best_hit, self.ray)
         {

@@ -33,6 +33,13 @@ struct CasterTree {
     casters: Vec<Option<u32>>,
 }
 
+/// What a light has before one of the surfaces that it can light.
+#[derive(Debug, Clone, Copy)]
+pub struct Before<'v, 'a> {
+    casters: &'v [Caster<'a>],
+    tree: Option<&'v CasterTree>,
+}
+
 /// A surface that can cast a shadow.
 #[derive(Debug, Clone, Copy)]
 struct Caster<'a> {
@@ -168,35 +175,37 @@ impl<'a> LightView<'a> {
         self.list_of[entry.index].is_some()
     }
 
-    /// What can stand between the light and a surface.
-    fn casters_for(&self, entry: &Entry<'_>) -> &[Caster<'a>] {
-        self.list_of[entry.index].map_or(&[], |list| &self.casters[list])
+    /// What can stand between the light and a surface; `None` if no light from here can reach the front
+    /// of the surface at all.
+    #[must_use]
+    #[inline(always)]
+    pub fn before(&self, entry: &Entry<'_>) -> Option<Before<'_, 'a>> {
+        Some(Before {
+            casters: &self.casters[self.list_of[entry.index]?],
+            tree: self.tree.as_ref(),
+        })
     }
+}
 
-    /// Whether anything can stand between the light and a hit of a surface from which a ray goes to
+impl Before<'_, '_> {
+    /// Whether anything can stand between the light and a hit of the surface from which a ray goes to
     /// the light.
     #[must_use]
-    #[inline]
-    pub fn can_be_hidden_from(&self, entry: &Entry<'_>, hit: &Hit, ray: &Ray) -> bool {
-        let mut casters = self.casters_for(entry).iter();
+    #[inline(always)]
+    pub fn can_hide(&self, hit: &Hit, ray: &Ray) -> bool {
+        let mut casters = self.casters.iter();
         // The tree asks for less than going through all of them.
         self.tree.is_some() && !casters.as_slice().is_empty()
             || casters.any(|caster| caster.can_meet(ray, hit))
     }
 
-    /// The share of the light's colour that passes along a segment from a hit of a surface to it.
+    /// The share of the light's colour that passes along a segment from a hit of the surface to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
     /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
-    pub fn transmittance(
-        &self,
-        from: &Entry<'_>,
-        hit: &Hit,
-        segment: &Segment,
-        tests: &mut u64,
-    ) -> Rgb {
-        let casters = self.casters_for(from);
+    pub fn transmittance(&self, hit: &Hit, segment: &Segment, tests: &mut u64) -> Rgb {
+        let casters = self.casters;
         let mut hides = |caster: &Caster<'_>| {
             if !caster.can_meet(&segment.ray, hit) {
                 return false;
@@ -207,7 +216,7 @@ impl<'a> LightView<'a> {
         let Some(CasterTree {
             tree,
             casters: places,
-        }) = &self.tree
+        }) = self.tree
         else {
             return passed(casters.iter().filter(|caster| hides(caster)), segment);
         };
@@ -259,7 +268,7 @@ fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment:
             return Rgb::BLACK;
         }
         crossed.extend(entry.support);
-        if let Some(hit) = entry.surface.hits(&segment.ray, segment.span) {
+        if let Some(hit) = entry.surface.hits(&segment.ray, segment.span.span()) {
             let hit = entry.surface.settle(&hit, &segment.ray);
             passed = passed * entry.surface.transmits(&hit);
         }

@@ -2,7 +2,7 @@
 
 use super::{Entry, SurfaceList, nearest};
 use crate::camera::{Camera, Window};
-use crate::math::{Ray, Span};
+use crate::math::{Limits, Ray};
 use crate::surface::Hit;
 
 /// The surfaces that a camera can see, each with the part of the picture in which it can appear.
@@ -54,7 +54,7 @@ impl<'a> Sight<'a> {
         &self,
         [x, y]: [f64; 2],
         ray: &Ray,
-        span: Span,
+        span: Limits<'_>,
         tests: &mut u64,
     ) -> Option<(&Entry<'a>, Hit)> {
         let here = self.seen.iter().filter(|(window, _)| window.contains(x, y));

@@ -1,14 +1,18 @@
 //! From pixels to rays.
 
+mod pattern;
+mod places;
 mod view;
 mod window;
 
+pub use pattern::Pattern;
+pub use places::Places;
 pub use view::{View, WindowOrigin};
 pub use window::Window;
 
 use glam::DVec3;
 
-use crate::math::{Beam, Point, Ray, Span, direction};
+use crate::math::{Beam, Flat, Limits, Point, Ray, direction};
 
 /// A viewpoint and the window that it looks through, for a picture of a certain size.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,8 +28,8 @@ pub struct Camera {
     inset: f64,
     /// Pixels from edge to edge.
     span: [f64; 2],
-    /// A point of the chapter's screen; hits on the viewer's side of its z are misses.
-    screen: Option<DVec3>,
+    /// The plane of the chapter's screen, whose normal is the z axis; hits before it are misses.
+    screen: Option<Flat>,
 }
 
 impl Camera {
@@ -67,20 +71,10 @@ impl Camera {
     /// Behind the chapter's screen everything counts, on the viewer's side nothing does.
     #[must_use]
     #[inline]
-    pub fn span(&self, ray: &Ray) -> Span {
-        let Some(screen) = self.screen else {
-            return Span::AHEAD;
-        };
-        let height = ray.origin.from(screen).z;
-        let slope = ray.dir.z;
-        if slope < 0.0 {
-            Span::AHEAD.since(-height / slope)
-        } else if slope > 0.0 {
-            Span::AHEAD.until(-height / slope)
-        } else if height > 0.0 {
-            Span::AHEAD.until(0.0)
-        } else {
-            Span::AHEAD
+    pub fn span(&self, ray: &Ray) -> Limits<'_> {
+        match &self.screen {
+            Some(screen) => Limits::below(screen, ray),
+            None => Limits::AHEAD,
         }
     }
 

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Camera;
 use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
-use crate::math::unit;
+use crate::math::{Flat, unit};
 
 /// A viewpoint and what it looks at.
 #[derive(Debug, Clone, PartialEq)]
@@ -217,7 +217,7 @@ impl View {
                     inset: 0.0,
                     // A picture one pixel wide looks along the window's left edge.
                     span: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
-                    screen: Some(at),
+                    screen: Some(Flat::with_unit_normal(at, DVec3::Z)),
                 })
             }
             Self::LookAt {

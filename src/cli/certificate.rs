@@ -25,10 +25,10 @@ pub(super) struct Report {
     shared_lines: usize,
     /// The largest distance between what was welded, in world units.
     largest_weld: f64,
-    /// In world units.
-    largest_error: f64,
-    /// In world units.
-    largest_bounced_error: f64,
+    /// In world units; `null` if nothing bounds it.
+    largest_error: Option<f64>,
+    /// In world units; `null` if nothing bounds it.
+    largest_bounced_error: Option<f64>,
     /// Rays that were not followed because a ray from the eye may cause only so many, and how much
     /// intensity one of them could have added at most; `null` if nothing bounds it.
     capped_rays: u64,
@@ -41,13 +41,14 @@ pub(super) struct Report {
 
 pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> Report {
     let Certificate {
-        counts,
+        ref counts,
         largest_error,
         largest_bounced_error,
         largest_residual,
     } = *certificate;
     let decisions = counts.hit_tests + counts.occlusion_tests;
     let taken = counts.decisions;
+    let bounded = |most: f64| Some(most).filter(|most| most.is_finite());
     let welds = |what| scene.welds.iter().filter(|weld| weld.what == what).count();
     let distances = scene.welds.iter().map(|weld| weld.distance);
     Report {
@@ -59,10 +60,10 @@ pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> R
         shared_planes: welds(Welded::Plane),
         shared_lines: welds(Welded::Line),
         largest_weld: distances.fold(0.0, f64::max),
-        largest_error,
-        largest_bounced_error,
+        largest_error: bounded(largest_error),
+        largest_bounced_error: bounded(largest_bounced_error),
         capped_rays: counts.capped_rays,
-        largest_residual: Some(largest_residual).filter(|residual| residual.is_finite()),
+        largest_residual: bounded(largest_residual),
         non_finite_pixels: film.non_finite().count(),
         picture_hash: film.hash(),
         robust: scene.picture.numerics == Numerics::Robust,
@@ -78,8 +79,8 @@ impl fmt::Display for Report {
                  surface tests       {}, at least {} of them by rounded values with proven bounds\n  \
                  other signs         {} exactly, {} by rule\n  \
                  welded              {} shared planes, {} shared lines, {} apart at most\n  \
-                 error of a hit      {} at most, in world units\n  \
-                 error after mirrors {}, an estimate",
+                 error of a hit      {}\n  \
+                 error after mirrors {}",
                 self.decisions,
                 self.by_filter,
                 self.exactly,
@@ -87,8 +88,8 @@ impl fmt::Display for Report {
                 self.shared_planes,
                 self.shared_lines,
                 Short(self.largest_weld),
-                Short(self.largest_error),
-                Short(self.largest_bounced_error),
+                said(self.largest_error, " at most, in world units"),
+                said(self.largest_bounced_error, ", an estimate"),
             )?;
         } else {
             writeln!(
@@ -111,6 +112,14 @@ impl fmt::Display for Report {
             "  not finite          {} pixels\n  picture             {}",
             self.non_finite_pixels, self.picture_hash,
         )
+    }
+}
+
+/// An error with what it is; `None` if nothing bounds it.
+fn said(error: Option<f64>, what: &str) -> String {
+    match error {
+        Some(error) => format!("{}{what}", Short(error)),
+        None => "unknown: rounding may have led a ray anywhere".to_owned(),
     }
 }
 

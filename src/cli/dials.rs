@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::camera::Pattern;
 use crate::film::Rounding;
 use crate::math::Numerics;
 use crate::scene::Setting;
@@ -15,6 +16,9 @@ pub(super) struct Dials {
     /// Rays through each pixel.
     #[arg(long, value_name = "N", value_parser = number("samples"))]
     samples: Option<Setting>,
+    /// How several rays are spread over a pixel.
+    #[arg(long, value_name = "WORD", value_parser = word("pattern", &Pattern::WORDS))]
+    pattern: Option<Setting>,
     /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
     #[arg(long, value_name = "X", value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
@@ -34,6 +38,7 @@ impl Dials {
     pub(super) fn settings(&self) -> Vec<Setting> {
         let all = [
             &self.samples,
+            &self.pattern,
             &self.cut_off,
             &self.quantize,
             &self.numerics,

@@ -23,12 +23,17 @@ pub(super) fn text(explanation: &Explanation, title: &str) -> String {
 
 fn write_text(out: &mut String, explanation: &Explanation, title: &str) -> std::fmt::Result {
     let [width, height] = explanation.size;
-    writeln!(
+    let lamps = explanation.lights.iter().filter(|row| row.is_lamp).count();
+    write!(
         out,
         "{title}: {width}x{height} pixels, {}, {}",
         counted(explanation.surfaces.len(), "surface"),
-        counted(explanation.lights.len(), "light"),
+        counted(explanation.lights.len() - lamps, "light"),
     )?;
+    if lamps > 0 {
+        write!(out, ", {}", counted(lamps, "lamp"))?;
+    }
+    writeln!(out)?;
     writeln!(out, "\neffects")?;
     for row in &explanation.effects {
         effect(out, row, title, explanation.work.is_exact())?;
@@ -97,7 +102,11 @@ fn light(
         (Unlit::Dark, "has no emissivity, so it does not light "),
         (
             Unlit::Colorless,
-            "finds neither diffuse colour nor glints on ",
+            if row.is_lamp {
+                "finds no diffuse colour on "
+            } else {
+                "finds neither diffuse colour nor glints on "
+            },
         ),
         (Unlit::OutsideBeam, "shines past "),
         (Unlit::Unseen, "need not light what nobody sees: "),
@@ -171,7 +180,7 @@ fn work(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
             work.pixels, work.of
         )?;
     }
-    out.write_str(&stats::lines(&work.counts))
+    out.write_str(&stats::lines(&work.counts, &work.by_light))
 }
 
 /// A lead and things after it, broken into lines; nothing if there are no things.

@@ -77,7 +77,7 @@ enum Color {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Render(render::Options),
+    Render(Box<render::Options>),
     Check(check::Options),
     Explain(explain::Options),
     Dump(dump::Options),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
+use rayon::prelude::*;
 
 use super::certificate::{self, Report};
 use super::dials::Dials;
@@ -12,8 +13,10 @@ use super::input::Failure;
 use super::messages::{Messages, problems_json};
 use super::output::{Output, plan};
 use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Film, Format, Notes, save};
+use crate::film::{Notes, Print, Region, save};
 use crate::language::{Problem, Refusal};
+use crate::math::Rgb;
+use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
@@ -36,6 +39,10 @@ pub(super) struct Options {
     /// Size of the picture in pixels, such as 800x600, instead of the scene's.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
+    /// Only this part of the picture: first column and row, counted from the top left, from 0, and
+    /// those behind the last; its pixels are those of the whole.
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = crop)]
+    crop: Option<Region>,
     #[command(flatten)]
     dials: Dials,
     /// Threads to render with; all processors if not given.
@@ -68,6 +75,16 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = sides.ok_or("expected width and height, such as 800x600")?;
     Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
     Ok(sides)
+}
+
+/// A part of the picture from `10,20,30,40`.
+fn crop(text: &str) -> Result<Region, String> {
+    let corners: Result<Vec<u32>, _> = text.split(',').map(|side| side.trim().parse()).collect();
+    let Ok([left, top, right, bottom]) = corners.as_deref() else {
+        return Err("expected four whole numbers, such as 10,20,30,40".to_owned());
+    };
+    Region::between([*left, *top], [*right, *bottom])
+        .map_err(|refusal| format!("{}; {}", refusal.reason, refusal.advice))
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
@@ -155,15 +172,21 @@ fn picture<'a>(
         ..
     } = input::read(scene, reader, messages)?;
     let title = input::title(scene);
-    let part = output
+    let replaced = output
         .path
         .as_ref()
         .and_then(|path| input::part_at(path, scene, &read));
-    if let Some(part) = part {
-        let error = format!("the picture of {title} would replace {part}, which it is made of");
+    if let Some(replaced) = replaced {
+        let error = format!("the picture of {title} would replace {replaced}, which it is made of");
         return Err(Failure::new(Status::Usage, error, messages));
     }
-    let bar = progress::bar(&title, u64::from(read.picture.height), messages);
+    let size = [read.picture.width, read.picture.height];
+    let part = options.crop.unwrap_or_else(|| Region::whole(size));
+    part.check_within(size).map_err(|refusal| {
+        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+        Failure::new(Status::Usage, error, messages)
+    })?;
+    let bar = progress::bar(&title, part.height as u64, messages);
     let progress = |rows| bar.set_position(rows as u64);
     let scope = if options.simulate_everything {
         Scope::Everything
@@ -172,28 +195,31 @@ fn picture<'a>(
     };
     let rendered = pool.install(|| {
         if options.certify {
-            let (film, certificate): (_, Certificate) = render::observed(&read, scope, &progress)?;
-            return Ok((film, certificate.counts, Some(certificate)));
+            let (film, certificate): (_, Certificate) =
+                render::observed_part(&read, scope, part, &progress)?;
+            let report = certificate::report(&certificate, &read, &film);
+            let print = Print::of(&film, output.format, read.picture.rounding);
+            let print = print.ok_or_else(|| render::no_memory(part))?;
+            return Ok((print, certificate.counts, Some(report)));
         }
-        let (film, counts) = render::observed(&read, scope, &progress)?;
-        Ok((film, counts, None))
+        let (print, counts) = render::printed_part(&read, scope, part, output.format, &progress)?;
+        Ok((print, counts, None))
     });
     bar.finish_and_clear();
-    let (mut film, counts, certificate) = rendered.map_err(|refusal: Refusal| {
+    let (mut print, counts, certificate) = rendered.map_err(|refusal: Refusal| {
         Failure::new(
             Status::BadInput,
             format!("{title}: {}", refusal.reason),
             messages,
         )
     })?;
-    inject_fault(&mut film);
+    inject_fault(&mut print);
     let hash = read.hash();
-    write(&film, &read, &hash, output).map_err(|error| {
+    write(&print, &read, options.crop, &hash, output).map_err(|error| {
         let error = format!("cannot write {}: {error}", output.title());
         Failure::new(Status::Io, error, messages)
     })?;
-    let status = non_finite(&film, &title, messages);
-    let certificate = certificate.map(|it| certificate::report(&it, &read, &film));
+    let status = non_finite(&print, &title, messages);
     Ok(Done {
         stats: options.stats,
         certificate,
@@ -201,6 +227,8 @@ fn picture<'a>(
         read,
         warnings,
         counts,
+        crop: options.crop,
+        size: [part.width, part.height],
         hash,
         output,
         start,
@@ -215,6 +243,10 @@ struct Done<'a> {
     read: Scene,
     warnings: Vec<Problem>,
     counts: Counts,
+    /// The part that was asked for.
+    crop: Option<Region>,
+    /// Its width and height in pixels, or those of the whole.
+    size: [usize; 2],
     /// Whether to tell how much work it was.
     stats: bool,
     certificate: Option<Report>,
@@ -231,14 +263,21 @@ impl Done<'_> {
             "scene": self.title,
             "exit": self.status.code(),
             "output": self.output.title(),
-            "width": picture.width,
-            "height": picture.height,
+            "width": self.size[0],
+            "height": self.size[1],
             "samples": picture.samples,
             "rays": self.counts,
             "hash": self.hash,
             "seconds": self.start.elapsed().as_secs_f64(),
             "problems": problems_json(&self.warnings, &self.read.sources),
         });
+        if let Some(crop) = &self.crop {
+            line["crop"] = serde_json::json!(crop.corners());
+        }
+        if self.stats {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            line["by_light"] = serde_json::json!(by_light);
+        }
         if let Some(certificate) = &self.certificate {
             line["certificate"] = serde_json::json!(certificate);
         }
@@ -251,11 +290,14 @@ impl Done<'_> {
             "{} -> {}, {}x{}, {:.2} s",
             self.title,
             self.output.title(),
-            picture.width,
-            picture.height,
+            self.size[0],
+            self.size[1],
             self.start.elapsed().as_secs_f64(),
         ));
-        let stats = self.stats.then(|| stats::table(&self.counts));
+        let stats = self.stats.then(|| {
+            let by_light = LightTests::all(&self.read, &self.counts);
+            stats::table(&self.counts, &by_light)
+        });
         let answers = [self.certificate.as_ref().map(Report::to_string), stats];
         for answer in answers.into_iter().flatten() {
             // The answer to a question is a result.
@@ -282,9 +324,15 @@ impl Done<'_> {
     }
 }
 
-fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Result<()> {
+fn write(
+    print: &Print,
+    scene: &Scene,
+    crop: Option<Region>,
+    hash: &str,
+    output: &Output,
+) -> std::io::Result<()> {
     let settings = scene.picture.describe().to_string();
-    let notes = Notes(vec![
+    let mut notes = Notes(vec![
         (
             "Software",
             concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -292,13 +340,16 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
         ("Settings", settings.trim_end().to_owned()),
         ("Scene hash", hash.to_owned()),
     ]);
-    let rounding = scene.picture.rounding;
-    let format: Format = output.format;
+    if let Some(crop) = crop {
+        notes
+            .0
+            .push(("Crop", crop.corners().map(|it| it.to_string()).join(",")));
+    }
     match &output.path {
-        Some(path) => save(path, |out| film.write(out, format, rounding, &notes)),
+        Some(path) => save(path, |out| print.write(out, &notes)),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = film.write(&mut out, format, rounding, &notes);
+            let written = print.write(&mut out, &notes);
             match written.and_then(|()| out.flush()) {
                 // A reader that has seen enough is no error.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -310,17 +361,21 @@ fn write(film: &Film, scene: &Scene, hash: &str, output: &Output) -> std::io::Re
 
 /// Spoils a pixel if the environment asks for it, so that a test can see what the program does
 /// about a fault that it ought not to have.
-fn inject_fault(film: &mut Film) {
+fn inject_fault(print: &mut Print) {
     let asked = std::env::var_os("HELIODON_FAULT").is_some_and(|fault| fault == "non-finite");
-    if let (true, Some(pixel)) = (asked, film.pixels_mut().first_mut()) {
-        pixel.r = f64::NAN;
+    if asked {
+        let nonsense = Rgb::new(f64::NAN, 0.0, 0.0);
+        print
+            .rows()
+            .take(1)
+            .for_each(|mut row| row.expose(&[nonsense]));
     }
 }
 
 /// Reports pixels that are no numbers; there should never be one.
-fn non_finite(film: &Film, title: &str, messages: &Messages) -> Status {
+fn non_finite(print: &Print, title: &str, messages: &Messages) -> Status {
     const MOST: usize = 10;
-    let odd: Vec<_> = film.non_finite().collect();
+    let odd: Vec<_> = print.non_finite().collect();
     if odd.is_empty() {
         return Status::Done;
     }

@@ -71,15 +71,26 @@ fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Re
         let arrives = light.arrives.map(|arrives| color(arrives) + " ");
         let arrives = arrives.unwrap_or_default();
         let light_title = placed(&light.light, title);
+        let partial = light.share.filter(|_| light.arrives.is_some());
+        let share = match partial.filter(|share| *share != [1.0; 3]) {
+            Some([r, g, b]) if r == g && g == b => format!(": {} of its light passes", number(r)),
+            Some(share) => format!(": {} of its light passes", color(share)),
+            None => String::new(),
+        };
         writeln!(
             out,
-            "{:indent$}  {light_title}: {arrives}{}",
+            "{:indent$}  {light_title}: {arrives}{}{share}",
             "", light.what
         )?;
     }
+    let of_lamps = if ray.of_lamps == [0.0; 3] {
+        String::new()
+    } else {
+        format!(", of which {} is light of lamps", color(ray.of_lamps))
+    };
     writeln!(
         out,
-        "{:indent$}  sends back {} of its own",
+        "{:indent$}  sends back {} of its own{of_lamps}",
         "",
         color(ray.own)
     )?;

@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use super::Rounding;
+use crate::math::Rgb;
+
 /// A kind of picture file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
@@ -36,5 +39,45 @@ impl Format {
             Self::Ppm => "ppm",
             Self::Pfm => "pfm",
         }
+    }
+
+    /// The bytes of a pixel.
+    pub(super) fn pixel_size(self) -> usize {
+        3 * match self {
+            Self::Png8 | Self::Ppm => size_of::<u8>(),
+            Self::Png16 => size_of::<u16>(),
+            Self::Pfm => size_of::<f32>(),
+        }
+    }
+
+    /// Makes colours the bytes of pixels: red, green and blue in turn.
+    pub(super) fn store(self, colors: &[Rgb], rounding: Rounding, bytes: &mut [u8]) {
+        match self {
+            // A code is at most 255, so its low byte is all of it.
+            Self::Png8 | Self::Ppm => store(colors, bytes, |channel| {
+                let [low, _] = rounding.code(channel, 255).to_le_bytes();
+                [low]
+            }),
+            Self::Png16 => store(colors, bytes, |channel| {
+                rounding.code(channel, 65_535).to_be_bytes()
+            }),
+            // Brighter than this format can say is as bright as it can say.
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "the format holds 32-bit floats"
+            )]
+            Self::Pfm => store(colors, bytes, |channel| {
+                (channel as f32).clamp(f32::MIN, f32::MAX).to_le_bytes()
+            }),
+        }
+    }
+}
+
+/// Makes colours bytes, `SIZE` of them for each channel.
+fn store<const SIZE: usize>(colors: &[Rgb], bytes: &mut [u8], stored: impl Fn(f64) -> [u8; SIZE]) {
+    let (channels, _) = bytes.as_chunks_mut();
+    for (pixel, color) in channels.chunks_exact_mut(3).zip(colors) {
+        let [r, g, b] = color.channels();
+        pixel.copy_from_slice(&[stored(r), stored(g), stored(b)]);
     }
 }

@@ -4,11 +4,15 @@ mod format;
 mod pfm;
 mod png;
 mod ppm;
+mod print;
 mod quantize;
+mod region;
 mod save;
 
 pub use format::Format;
+pub use print::{Print, PrintRow};
 pub use quantize::Rounding;
+pub use region::Region;
 pub use save::{discard_unfinished, save};
 
 use std::io::{self, Write};
@@ -77,13 +81,7 @@ impl Film {
     #[must_use]
     pub fn bytes(&self, rounding: Rounding) -> Vec<u8> {
         let mut bytes = vec![0; 3 * self.pixels.len()];
-        for (bytes, pixel) in bytes.chunks_exact_mut(3).zip(&self.pixels) {
-            // A code is at most 255, so its low byte is all of it.
-            let codes = pixel
-                .channels()
-                .map(|c| rounding.code(c, 255).to_le_bytes()[0]);
-            bytes.copy_from_slice(&codes);
-        }
+        Format::Ppm.store(&self.pixels, rounding, &mut bytes);
         bytes
     }
 
@@ -123,11 +121,7 @@ impl Film {
         rounding: Rounding,
         notes: &Notes,
     ) -> io::Result<()> {
-        match format {
-            Format::Png8 => png::write(self, out, png::Depth::Eight, rounding, notes),
-            Format::Png16 => png::write(self, out, png::Depth::Sixteen, rounding, notes),
-            Format::Ppm => ppm::write(self, out, rounding),
-            Format::Pfm => pfm::write(self, out),
-        }
+        let print = Print::of(self, format, rounding);
+        print.ok_or(io::ErrorKind::OutOfMemory)?.write(out, notes)
     }
 }

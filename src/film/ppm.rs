@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use super::{Film, Rounding};
+use super::Print;
 
 /// Writes a P6 file with 8 bits a channel.
-pub(super) fn write(film: &Film, out: &mut dyn Write, rounding: Rounding) -> io::Result<()> {
-    write!(out, "P6\n{} {}\n255\n", film.width(), film.height())?;
-    out.write_all(&film.bytes(rounding))
+pub(super) fn write(print: &Print, out: &mut dyn Write) -> io::Result<()> {
+    write!(out, "P6\n{} {}\n255\n", print.width(), print.height())?;
+    out.write_all(print.bytes())
 }

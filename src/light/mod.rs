@@ -53,13 +53,13 @@ impl Light {
         attributes: &[ATTRIBUTES],
     };
 
-    /// The light that leaves in a direction; `None` outside of the beam.
+    /// The light that comes from where a unit direction leads to; `None` outside of the beam.
     #[must_use]
     #[inline(always)]
-    pub fn towards(&self, direction: DVec3) -> Option<Rgb> {
+    pub fn seen_along(&self, direction: DVec3) -> Option<Rgb> {
         match &self.beam {
             Beam::Everywhere => Some(self.emissivity),
-            _ => self.beam_towards(direction),
+            _ => self.beam_towards(-direction),
         }
     }
 

@@ -119,11 +119,11 @@ impl Grid {
 /// The largest whole number that is not larger.
 #[inline]
 fn floor(number: f64) -> f64 {
-    // Through an integer, which is several times faster on processors as old as the target.
-    #[expect(clippy::cast_possible_truncation, reason = "small")]
-    #[expect(clippy::cast_precision_loss, reason = "small")]
-    if number.abs() < Grid::MOST_CELLS {
-        let whole = number as i64 as f64;
+    // Added to a number of this size or less, it leaves no place for a fraction, which is rounded off:
+    // several times faster on processors as old as the target.
+    const NO_FRACTION: f64 = 6_755_399_441_055_744.0; // 2^52 + 2^51
+    if number.abs() <= NO_FRACTION / 3.0 {
+        let whole = (number + NO_FRACTION) - NO_FRACTION;
         if whole > number { whole - 1.0 } else { whole }
     } else {
         number.floor()

@@ -139,7 +139,7 @@ impl Rectangle {
     #[inline]
     pub fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
-            self.inside(&crossing, &segment.ray).is_some() && segment.holds(&crossing)
+            self.inside(&crossing, &segment.ray).is_some() && segment.holds(&crossing, &self.flat)
         })
     }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Crossing, Departure, Point, Ray, Span, direction};
+use super::{Crossing, Departure, Flat, Limits, Point, Ray, direction};
 
 /// The straight way from a point on a surface to another point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -14,7 +14,7 @@ pub struct Segment<'a> {
     /// The distance from start to end.
     pub length: f64,
     /// The distances at which something can stand in the way.
-    pub span: Span,
+    pub span: Limits<'a>,
 }
 
 impl<'a> Segment<'a> {
@@ -41,17 +41,31 @@ impl<'a> Segment<'a> {
             ray: ray(direction(way)),
             end,
             length,
-            span: Span::AHEAD,
+            span: Limits::AHEAD,
         })
     }
 
-    /// Whether a crossing that is known to lie between the ends counts.
+    /// Whether a crossing of this plane counts that is known to lie between the ends.
     ///
     /// Of a segment that is nearly in the plane the distance of the crossing can be anything, even
     /// infinite; but it lies before the end.
     #[must_use]
     #[inline]
-    pub fn holds(&self, crossing: &Crossing) -> bool {
-        self.span.contains(crossing.distance().min(self.length))
+    pub fn holds(&self, crossing: &Crossing, flat: &Flat) -> bool {
+        let t = crossing.distance();
+        let error = || crossing.error(t);
+        self.admits(t.min(self.length), error, Some(flat))
+    }
+
+    /// Whether what lies between the ends counts that was met at distance `t`; `flat` is its plane,
+    /// if it lies in one.
+    #[must_use]
+    #[inline]
+    pub fn admits(&self, t: f64, error: impl FnOnce() -> f64, flat: Option<&Flat>) -> bool {
+        if !self.span.has_edge() {
+            return self.span.span().contains(t);
+        }
+        let error = error();
+        self.span.span().admits(t, error) && self.span.hold(t, error, flat)
     }
 }

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
+use super::{LightRow, LightTests};
 use crate::language::{Location, Refusal, Sources};
-use crate::math::{Decisions, Point, Side};
-use crate::plan::{Cause, Decision, Effect, Plan, Scope, Unlit};
-use crate::render::{Counts, Tracer, pixel_color, render};
+use crate::plan::{Cause, Decision, Effect, Plan, Scope};
+use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
-use crate::surface::{Surface, classic};
+use crate::surface::classic;
 
 /// What of a scene is simulated, and why.
 #[derive(Debug, Clone, Serialize)]
@@ -20,7 +20,7 @@ pub struct Explanation {
     pub numerics: &'static str,
     /// Every effect, called for or not.
     pub effects: Vec<EffectRow>,
-    /// The lights in file order.
+    /// The lights in file order, and after them the lamps.
     pub lights: Vec<LightRow>,
     /// The surfaces in file order.
     pub surfaces: Vec<SurfaceRow>,
@@ -60,33 +60,6 @@ pub struct Thing {
     pub place: Option<String>,
 }
 
-/// What a light does.
-#[derive(Debug, Clone, Serialize)]
-pub struct LightRow {
-    /// The light.
-    pub light: Thing,
-    /// How many surfaces it may light.
-    pub lights: usize,
-    /// The others, by their places in the file, from 0, and why not.
-    pub unlit: Vec<(usize, Unlit)>,
-    /// What can cast a shadow, and on which of the surfaces.
-    pub casters: Vec<(usize, Vec<usize>)>,
-    /// What casts none, and why.
-    pub casts_nothing: Vec<(usize, NoShadow)>,
-}
-
-/// Why a surface casts no shadow in the light of a light.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum NoShadow {
-    /// The scene says so.
-    Told,
-    /// All that the light lights is on the light's own side of it.
-    NothingBehind,
-    /// Its shadow falls beside all that the light lights.
-    FallsBeside,
-}
-
 /// A surface.
 #[derive(Debug, Clone, Serialize)]
 pub struct SurfaceRow {
@@ -108,7 +81,7 @@ pub struct TextureRow {
 }
 
 /// How much work a picture is.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Work {
     /// How many pixels were traced to find out; all of them for an exact count.
     pub pixels: u64,
@@ -116,12 +89,9 @@ pub struct Work {
     pub of: u64,
     /// The rays and tests of the whole picture; of fewer pixels, scaled up.
     pub counts: Counts,
+    /// How many of the tests each light and each lamp takes.
+    pub by_light: Vec<LightTests>,
 }
-
-/// The most surfaces of which it is told which casts shadows on which.
-///
-/// Beyond that all surfaces share a list of casters, and nobody reads it.
-const MOST_PAIRS: usize = 128;
 
 /// The most pixels that are traced for an estimate: enough for rays to be right within a few percent.
 const MOST_PIXELS: usize = 4_096;
@@ -151,9 +121,7 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
             .into_iter()
             .map(|decision| EffectRow::of(decision, &work.counts, pixels, sources))
             .collect(),
-        lights: (0..scene.lights.len())
-            .map(|light| LightRow::of(&plan, light))
-            .collect(),
+        lights: LightRow::all(&plan),
         surfaces: surfaces
             .map(|(surface, seen)| SurfaceRow {
                 surface: Thing::of(&Cause::of_surface(&**surface), sources),
@@ -211,74 +179,6 @@ impl Thing {
     }
 }
 
-impl LightRow {
-    fn of(plan: &Plan<'_>, light: usize) -> Self {
-        let scene = plan.scene;
-        let (unlit, view) = (&plan.unlit[light], &plan.light_views[light]);
-        let reasons = unlit.iter().enumerate();
-        let mut row = Self {
-            light: Thing::of(&Cause::of_light(&scene.lights[light]), &scene.sources),
-            lights: unlit.iter().filter(|why| why.is_none()).count(),
-            unlit: reasons
-                .filter_map(|(surface, why)| Some((surface, (*why)?)))
-                .collect(),
-            casters: Vec::new(),
-            casts_nothing: Vec::new(),
-        };
-        if scene.surfaces.len() > MOST_PAIRS {
-            return row;
-        }
-        let mut onto = vec![Vec::new(); scene.surfaces.len()];
-        let receivers = scene.surfaces.iter().enumerate();
-        for (receiver, surface) in receivers {
-            if !surface.common().shadows.receive {
-                continue;
-            }
-            for caster in view.casters_of(receiver) {
-                onto[caster].push(receiver);
-            }
-        }
-        for (caster, onto) in onto.into_iter().enumerate() {
-            if onto.is_empty() {
-                row.casts_nothing
-                    .push((caster, no_shadow(plan, light, caster)));
-            } else {
-                row.casters.push((caster, onto));
-            }
-        }
-        row
-    }
-}
-
-/// Why a surface casts no shadow, if it does not.
-fn no_shadow(plan: &Plan<'_>, light: usize, caster: usize) -> NoShadow {
-    let surface = &*plan.scene.surfaces[caster];
-    if !surface.common().shadows.cast {
-        return NoShadow::Told;
-    }
-    let Some(flat) = surface.flat() else {
-        return NoShadow::FallsBeside;
-    };
-    let location = Point::exact(plan.scene.lights[light].location);
-    let behind = surface.side(&location).opposite();
-    let is_behind = |other: &dyn Surface| match other.hull() {
-        Some(hull) => hull
-            .iter()
-            .any(|point| Some(Side::of(flat.exact_height(point).sign())) == behind),
-        None => true,
-    };
-    let lit = plan.unlit[light]
-        .iter()
-        .zip(&plan.scene.surfaces)
-        .enumerate();
-    let mut lit = lit.filter(|(index, (unlit, _))| *index != caster && unlit.is_none());
-    if lit.any(|(_, (_, other))| is_behind(&**other)) {
-        NoShadow::FallsBeside
-    } else {
-        NoShadow::NothingBehind
-    }
-}
-
 impl Work {
     /// Whether it was counted, not estimated.
     #[must_use]
@@ -293,6 +193,7 @@ impl Work {
         Ok(Self {
             pixels,
             of: pixels,
+            by_light: LightTests::all(scene, &counts),
             counts,
         })
     }
@@ -306,19 +207,21 @@ impl Work {
         let places = |side: usize| ((step - 1).min(side - 1) / 2..side).step_by(step);
         let tracer = Tracer::new(plan);
         let (mut counts, mut pixels) = (Counts::default(), 0);
-        let before = Decisions::of_this_thread();
+        let before = ThreadWork::until_now();
         for row in places(height) {
             for column in places(width) {
                 pixel_color(tracer, plan.scene, column, row, &mut counts);
                 pixels += 1;
             }
         }
-        counts.decisions = Decisions::of_this_thread() - before;
+        before.tell(&mut counts);
         let of = (width * height) as u64;
+        let counts = counts.scaled(of, pixels);
         Self {
             pixels,
             of,
-            counts: counts.scaled(of, pixels),
+            by_light: LightTests::all(plan.scene, &counts),
+            counts,
         }
     }
 }

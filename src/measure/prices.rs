@@ -26,7 +26,7 @@ pub struct Prices {
 }
 
 /// What it takes to draw a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Effort {
     /// Processor time of one thread, in seconds; planning is a part of it, reading the scene is not.
     pub time: Timing,
@@ -113,16 +113,17 @@ pub fn prices(
         Ok(Price {
             effect: *effect,
             also_off: on.iter().copied().filter(gone).collect(),
-            effort,
             takes: effort.time.over(whole.time),
+            effort,
             change: subject.change,
         })
     });
+    let without = without.collect::<Result<_, Refusal>>()?;
     Ok(Prices {
         runs,
         whole,
         everything,
-        without: without.collect::<Result<_, Refusal>>()?,
+        without,
     })
 }
 
@@ -181,7 +182,7 @@ impl<'a> Subject<'a> {
     fn effort(&self) -> Effort {
         Effort {
             time: Timing::of(&self.seconds),
-            counts: self.counts,
+            counts: self.counts.clone(),
         }
     }
 }

@@ -30,9 +30,11 @@ pub struct Step {
     pub share: [f64; 3],
     /// What it met; `None` for nothing.
     pub met: Option<Met>,
-    /// What the surface itself sends back: ambient and the light of all lights, faded.
+    /// What the surface itself sends back: ambient and the light of all lights and lamps, faded.
     pub own: [f64; 3],
-    /// What each light did there.
+    /// What of that is the light of lamps, or its own glow if it is one.
+    pub of_lamps: [f64; 3],
+    /// What each light did there, and after the lights each lamp.
     pub lights: Vec<LightStep>,
     /// The rays that it caused.
     pub causes: Vec<Self>,
@@ -55,15 +57,20 @@ pub struct Met {
     pub texel: [f64; 3],
 }
 
-/// What a light does where a ray has met a surface.
+/// What a light or a lamp does where a ray has met a surface.
 #[derive(Debug, Clone, Serialize)]
 pub struct LightStep {
-    /// The light.
+    /// The light, or the lamp.
     pub light: Thing,
     /// What became of its light, in words.
     pub what: String,
-    /// What arrives, before angle and distance; `None` if nothing does.
+    /// What arrives of a light, before angle and distance, or of a lamp; `None` if nothing does.
     pub arrives: Option<[f64; 3]>,
+    /// The share of a lamp's light that passes what stands in its way; `None` for a light, and for a
+    /// lamp that does not shine here.
+    pub share: Option<[f64; 3]>,
+    /// How many rays were sent to find that out.
+    pub rays: u64,
 }
 
 /// A ray that did not set out.
@@ -93,6 +100,7 @@ pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, 
         plan: &plan,
         open: Vec::new(),
         rays: Vec::new(),
+        sent: 0,
     };
     let place = [column, row].map(|place| place as usize);
     let tracer = Tracer::new(&plan);
@@ -111,6 +119,8 @@ struct Listener<'p, 'a> {
     open: Vec<Step>,
     /// The rays from the eye that have come back.
     rays: Vec<Step>,
+    /// How many rays were sent to the light that is told of next.
+    sent: u64,
 }
 
 impl Listener<'_, '_> {
@@ -125,6 +135,7 @@ impl Listener<'_, '_> {
 impl Probe for Listener<'_, '_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
         if matches!(kind, RayKind::Shadow | RayKind::Lamp) {
+            self.sent += 1;
             return;
         }
         self.open.push(Step {
@@ -132,6 +143,7 @@ impl Probe for Listener<'_, '_> {
             share: share.channels(),
             met: None,
             own: [0.0; 3],
+            of_lamps: [0.0; 3],
             lights: Vec::new(),
             causes: Vec::new(),
             unfollowed: Vec::new(),
@@ -166,34 +178,34 @@ impl Probe for Listener<'_, '_> {
     }
 
     fn light(&mut self, light: usize, arrival: Arrival) {
+        let rays = std::mem::take(&mut self.sent);
         let scene = self.plan.scene;
-        let surface = self.open.last().and_then(|step| step.met.as_ref());
-        let what = match arrival {
-            Arrival::Unplanned => "cannot light this surface",
-            Arrival::Behind => "behind the surface",
-            Arrival::OutsideBeam => "its beam passes by",
-            Arrival::Hidden => "hidden, as a ray found out",
-            Arrival::Light { unasked: true, .. } => {
-                "arrives; no ray was sent, for nothing can stand in its way here"
-            }
-            Arrival::Light { .. } => "arrives, as a ray found out",
+        let cause = match light.checked_sub(scene.lights.len()) {
+            Some(lamp) => Cause::of_surface(self.plan.lamp_views[lamp].lamp),
+            None => Cause::of_light(&scene.lights[light]),
         };
-        if surface.is_none() {
-            return;
-        }
+        let (arrives, share) = match arrival {
+            Arrival::Light { color, .. } => (Some(color), None),
+            Arrival::Lamp { color, passed } => {
+                (Some(color).filter(|_| !passed.is_black()), Some(passed))
+            }
+            _ => (None, None),
+        };
         let step = LightStep {
-            light: Thing::of(&Cause::of_light(&scene.lights[light]), &scene.sources),
-            what: what.to_owned(),
-            arrives: match arrival {
-                Arrival::Light { color, .. } => Some(color.channels()),
-                _ => None,
-            },
+            light: Thing::of(&cause, &scene.sources),
+            what: what(arrival, rays),
+            arrives: arrives.map(Rgb::channels),
+            share: share.map(Rgb::channels),
+            rays,
         };
         self.note(|open| open.lights.push(step));
     }
 
-    fn own_color(&mut self, color: Rgb) {
-        self.note(|step| step.own = color.channels());
+    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
+        self.note(|step| {
+            step.own = color.channels();
+            step.of_lamps = of_lamps.channels();
+        });
     }
 
     fn came_back(&mut self, color: Rgb) {
@@ -206,6 +218,31 @@ impl Probe for Listener<'_, '_> {
             None => self.rays.push(step),
         }
     }
+}
+
+/// What became of a light's light, in words.
+fn what(arrival: Arrival, rays: u64) -> String {
+    let found_out = match rays {
+        1 => "as a ray found out".to_owned(),
+        rays => format!("as {rays} rays found out"),
+    };
+    let what = match arrival {
+        Arrival::Unplanned => "cannot light this surface",
+        Arrival::Here => "is in this very place, so that its light has no direction",
+        Arrival::Behind => "behind the surface",
+        Arrival::Colorless => "finds no diffuse colour here",
+        Arrival::OutsideBeam => "its beam passes by",
+        Arrival::Lamp { passed, .. } if rays == 0 && passed.is_black() => {
+            "hidden; no ray was sent, for something hides all of it here"
+        }
+        Arrival::Light { unasked: true, .. } | Arrival::Lamp { .. } if rays == 0 => {
+            "arrives; no ray was sent, for nothing can stand in its way here"
+        }
+        Arrival::Lamp { passed, .. } if passed.is_black() => return format!("hidden, {found_out}"),
+        Arrival::Hidden => return format!("hidden, {found_out}"),
+        Arrival::Light { .. } | Arrival::Lamp { .. } => return format!("arrives, {found_out}"),
+    };
+    what.to_owned()
 }
 
 fn word(kind: RayKind) -> &'static str {

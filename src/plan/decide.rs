@@ -1,7 +1,9 @@
 //! Which effects a scene calls for.
 
 use super::{Cause, Decision, Effect, Plan};
+use crate::camera::Pattern;
 use crate::light::{Beam, Light};
+use crate::scene::Picture;
 use crate::surface::Surface;
 use crate::texture::Filter;
 
@@ -120,12 +122,17 @@ fn texture_filter(plan: &Plan<'_>) -> Decision {
 }
 
 fn antialiasing(plan: &Plan<'_>) -> Decision {
-    let samples = plan.scene.picture.samples;
+    let Picture {
+        samples, pattern, ..
+    } = plan.scene.picture;
     let on = samples > 1;
-    let why = if on {
-        format!("`samples` asks for {samples} rays through each pixel")
-    } else {
-        "one ray goes through the centre of each pixel".to_owned()
+    let why = match (on, pattern == Pattern::default()) {
+        (false, _) => "one ray goes through the centre of each pixel".to_owned(),
+        (true, true) => format!("`samples` asks for {samples} rays through each pixel"),
+        (true, false) => format!(
+            "`samples` asks for {samples} rays through each pixel, in the pattern {:?}",
+            pattern.word()
+        ),
     };
     Decision {
         on,

@@ -39,6 +39,8 @@ pub struct Plan<'a> {
     pub seen: Vec<bool>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
+    /// The same for each lamp.
+    pub unlit_by_lamp: Vec<Vec<Option<Unlit>>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// How textures are looked at, if beams are followed for it; `None` if the texel that a ray meets
@@ -103,16 +105,31 @@ impl<'a> Plan<'a> {
         for (view, unlit) in light_views.iter_mut().zip(&unlit) {
             view.retain(|surface| unlit[surface].is_none());
         }
+        let mut lamp_views = LampView::all(&surfaces, &scene.surfaces, !elides);
+        let unlit_by_lamp: Vec<Vec<_>> = lamp_views
+            .iter()
+            .map(|view| {
+                let pairs = surfaces.entries().iter().zip(&seen);
+                pairs
+                    .map(|(entry, seen)| Unlit::by_lamp(view, entry, *seen))
+                    .map(|why| why.filter(|why| elides || why.is_rule()))
+                    .collect()
+            })
+            .collect();
+        for (view, unlit) in lamp_views.iter_mut().zip(&unlit_by_lamp) {
+            view.retain(|surface| unlit[surface].is_none());
+        }
         let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
             camera,
             sight: sight.filter(|_| all_asked),
             light_views,
-            lamp_views: LampView::all(&surfaces, &scene.surfaces, !elides),
+            lamp_views,
             surfaces,
             seen,
             unlit,
+            unlit_by_lamp,
             tail: Tail::new(scene),
             filter: filter(scene, scope),
             scope,

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::beam;
+use crate::accel::{Entry, LampView};
 use crate::light::{Beam, Light};
 use crate::math::{Point, Side};
 use crate::surface::Surface;
@@ -11,13 +12,13 @@ use crate::surface::Surface;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unlit {
-    /// The light is behind the surface's plane or in it.
+    /// The light, or all of the lamp, is behind the surface's plane or in it.
     Behind,
     /// The light has no emissivity.
     Dark,
     /// The surface has neither a diffuse colour nor glints, or lets all light through.
     Colorless,
-    /// The surface is outside of the light's cone or slide.
+    /// The surface is outside of the light's cone or slide, or not before the lamp.
     OutsideBeam,
     /// Nobody sees the surface.
     Unseen,
@@ -46,6 +47,23 @@ impl Unlit {
             () if !answers => Some(Self::Colorless),
             () if !is_seen => Some(Self::Unseen),
             () if passes_by() => Some(Self::OutsideBeam),
+            () => None,
+        }
+    }
+
+    /// The reason that keeps the light of a lamp from a surface, as [`reason`](Self::reason).
+    #[must_use]
+    pub fn by_lamp(view: &LampView<'_>, entry: &Entry<'_>, is_seen: bool) -> Option<Self> {
+        let surface = entry.surface;
+        let [_, diffuse] = surface.brightest();
+        // Lamps make no glints.
+        let answers = diffuse > 0.0 && entry.common.material.transparency < 1.0;
+        match () {
+            () if !view.lights(entry) && view.is_before(surface) => Some(Self::OutsideBeam),
+            () if !view.lights(entry) => Some(Self::Behind),
+            () if view.lamp.emissivity().is_black() => Some(Self::Dark),
+            () if !answers => Some(Self::Colorless),
+            () if !is_seen => Some(Self::Unseen),
             () => None,
         }
     }

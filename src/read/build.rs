@@ -78,7 +78,11 @@ pub(super) fn scene(
             height,
             ..picture
         };
-        options.settings.iter().fold(sized, Picture::with)
+        let set = options.settings.iter().fold(sized, Picture::with);
+        if let (Err(no), Some(node)) = (set.check(), of(nodes, &Picture::SCHEMA).next()) {
+            refused(node, no, problems);
+        }
+        set
     });
 
     let mut materials = Vec::new();

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Probe, RayKind, Tracer};
+use super::{RayKind, Tracer};
 use crate::accel::Entry;
 use crate::math::{Beam, Ray, Rgb};
 use crate::surface::Hit;
@@ -18,19 +18,11 @@ impl Tracer<'_> {
 
     /// What a beam shows of the texture of what it meets.
     #[cold]
-    pub(super) fn texel_over(
-        &self,
-        entry: &Entry<'_>,
-        hit: &Hit,
-        beam: &Beam,
-        probe: &mut impl Probe,
-    ) -> Rgb {
-        let mut fetches = 0;
-        let texel = self.plan.filter.map_or(hit.texel, |filter| {
-            entry.surface.texel_over(hit, beam, filter, &mut fetches)
-        });
-        probe.texel_fetches(fetches);
-        texel
+    pub(super) fn texel_over(&self, entry: &Entry<'_>, hit: &Hit, beam: &Beam) -> Rgb {
+        let filter = self.plan.filter;
+        filter.map_or(hit.texel, |filter| {
+            entry.surface.texel_over(hit, beam, filter)
+        })
     }
 
     /// The beam behind a surface that a ray met, of which rays go on in this direction.

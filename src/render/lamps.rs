@@ -7,17 +7,18 @@ use crate::accel::{Between, Casters, Entry, LampView};
 use crate::math::{Departure, Point, Ray, Rgb, Segment};
 use crate::surface::Hit;
 
-use super::samples::scramble;
-use super::{Probe, RayKind, Tracer};
+use super::{Arrival, Probe, RayKind, Seed, Tracer};
 
 /// A place that lamps light.
 #[derive(Debug)]
 struct Lit<'a> {
+    /// By which one, as onlookers are told.
+    lamp: usize,
     departure: &'a Departure<'a>,
     point: Point,
     normal: DVec3,
     /// From what the places of lamps are chosen that it asks.
-    seed: u64,
+    seed: Seed,
 }
 
 impl Tracer<'_> {
@@ -31,7 +32,7 @@ impl Tracer<'_> {
         entry: &Entry<'_>,
         departure: &Departure<'_>,
         hit: &Hit,
-        seed: u64,
+        seed: Seed,
         probe: &mut impl Probe,
     ) -> Rgb {
         if let Some(lamp) = self.plan.scene.surfaces[entry.index].lamp() {
@@ -39,27 +40,40 @@ impl Tracer<'_> {
         }
         let diffuse = entry.surface.getdiff(hit);
         let mut color = Rgb::BLACK;
-        if diffuse.is_black() {
-            return color;
-        }
+        let lights = self.plan.scene.lights.len();
         for (number, view) in self.plan.lamp_views.iter().enumerate() {
+            let lamp = lights + number;
+            if diffuse.is_black() {
+                probe.light(lamp, Arrival::Colorless);
+                continue;
+            }
             if !view.lights(entry) {
+                probe.light(lamp, Arrival::Unplanned);
                 continue;
             }
             let arriving = view.lamp.form_factor(&hit.point, hit.normal);
             if arriving == 0.0 {
+                probe.light(lamp, Arrival::Behind);
                 continue;
             }
             let mut light = diffuse * view.lamp.emissivity() * arriving;
+            let mut passed = Rgb::WHITE;
             if entry.surface.common().shadows.receive {
                 let lit = Lit {
+                    lamp,
                     departure,
                     point: hit.point,
                     normal: hit.normal,
-                    seed: scramble(seed).wrapping_add(number as u64),
+                    seed: seed.of_lamp(number),
                 };
-                light = light * self.share_of_lamp(entry, view, &lit, probe);
+                passed = self.share_of_lamp(entry, view, &lit, probe);
+                light = light * passed;
             }
+            let arrival = Arrival::Lamp {
+                color: view.lamp.emissivity() * arriving * passed,
+                passed,
+            };
+            probe.light(lamp, arrival);
             color = (color + light).saturated();
         }
         color
@@ -111,17 +125,29 @@ impl Tracer<'_> {
         probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);
-        probe.lamp_tests(tests);
+        probe.occlusion_tests(lit.lamp, tests);
         passed
     }
 }
 
 /// Places in a square of side 1: a Sobol sequence, of which any two halves, quarters and so on are
 /// spread evenly (Sobol 1967), scrambled by the seed (Owen 1995, as hashes by Burley 2020,
-/// "Practical Hash-based Owen Scrambling").
-fn places(count: u32, seed: u64) -> impl Iterator<Item = DVec2> {
-    #[expect(clippy::cast_possible_truncation, reason = "half of the bits do")]
-    let seed = seed as u32;
-    let along = move |axis, number| f64::from(sample(number, axis, seed));
-    (0..count).map(move |number| DVec2::new(along(0, number), along(1, number)))
+/// "Practical Hash-based Owen Scrambling"). Paths of one stream take their places in turn from one
+/// sequence, so that all places together are spread evenly, too.
+fn places(count: u32, seed: Seed) -> impl Iterator<Item = DVec2> {
+    let first = u64::from(seed.number) * u64::from(count);
+    (first..first + u64::from(count)).map(move |index| {
+        // The sequence has 2^16 places; then another one begins.
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the low and the other bits"
+        )]
+        let (index, sequence) = ((index & 0xFFFF) as u32, (index >> 16) as u32);
+        #[expect(clippy::cast_possible_truncation, reason = "half of the bits do")]
+        let seed = (seed.stream as u32).wrapping_add(sequence);
+        DVec2::new(
+            f64::from(sample(index, 0, seed)),
+            f64::from(sample(index, 1, seed)),
+        )
+    })
 }

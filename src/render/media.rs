@@ -5,6 +5,8 @@ use glam::DVec3;
 use crate::material::Material;
 use crate::math::{Refraction, Rgb};
 
+use super::Turn;
+
 /// The media that a path is inside of: a list that lies along the path's own recursion.
 ///
 /// A place belongs to the medium that was entered last and not left again, so a bubble in glass in
@@ -29,6 +31,8 @@ pub(super) struct Boundary<'a> {
     pub(super) passing: f64,
     /// Where light that passes goes on; `None` if none does.
     pub(super) onward: Option<DVec3>,
+    /// How it goes on there.
+    pub(super) turn: Turn,
     /// What it is inside of then.
     pub(super) beyond: Media<'a>,
 }
@@ -47,6 +51,7 @@ impl<'a> Media<'a> {
                 mirrored: material.specular,
                 passing: 1.0,
                 onward: Some(dir),
+                turn: Turn::Straight,
                 beyond: *self,
             },
             Some(index) => self.refracting(index, material.is_entered(), dir, normal),
@@ -70,11 +75,17 @@ impl<'a> Media<'a> {
             // The path began inside.
             (false, None) => (index, *self),
         };
-        let Refraction { reflectance, bent } = Refraction::new(dir, normal, from, beyond.index());
+        let into = beyond.index();
+        let Refraction { reflectance, bent } = Refraction::new(dir, normal, from, into);
         Boundary {
             mirrored: Rgb::WHITE * reflectance,
             passing: 1.0 - reflectance,
             onward: bent,
+            turn: if from.to_bits() == into.to_bits() {
+                Turn::Straight
+            } else {
+                Turn::Bent(from / into)
+            },
             beyond,
         }
     }

@@ -1,29 +1,34 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
 mod beams;
+mod certificate;
 mod errors;
 mod lamps;
 mod media;
 mod probe;
-mod samples;
+mod seed;
 mod shading;
+mod thread_work;
 mod tracer;
 
-pub use errors::{Certificate, Errors};
+pub use certificate::Certificate;
+pub use errors::{Errors, Turn};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
-pub use samples::samples;
+pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
 
+use seed::Seed;
 use std::iter::Sum;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::film::Film;
+use crate::camera::{Pattern, Places};
+use crate::film::{Film, Format, Print, Region};
 use crate::language::Refusal;
-use crate::math::{Decisions, Rgb};
+use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
-use crate::scene::Scene;
+use crate::scene::{Picture, Scene};
 use crate::surface::classic;
 
 /// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
@@ -61,8 +66,27 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     scope: Scope,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
+    observed_part(scene, scope, whole(&scene.picture), progress)
+}
+
+/// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
+/// [`observed`].
+///
+/// # Errors
+/// As [`render`]; and refuses a part that is not one.
+pub fn observed_part<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    scope: Scope,
+    part: Region,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
+    part.check_within([scene.picture.width, scene.picture.height])?;
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
-    drawn(&Plan::new(scene, classic.as_deref(), scope)?, progress)
+    drawn_part(
+        &Plan::new(scene, classic.as_deref(), scope)?,
+        part,
+        progress,
+    )
 }
 
 /// Renders a scene as it is planned; for the rest as [`observed`].
@@ -73,27 +97,94 @@ pub fn drawn<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, P), Refusal> {
-    let (scene, tracer) = (plan.scene, Tracer::new(plan));
-    let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
-    let mut film = Film::new(width, height).ok_or_else(|| {
-        let reason = format!("there is no memory for {width} by {height} pixels");
-        Refusal::new("image", reason, "choose a smaller picture")
-    })?;
-    let done = AtomicUsize::new(0);
-    let rows = film.pixels_mut().par_chunks_mut(width).enumerate();
-    let seen = rows
-        .map(|(row, pixels)| {
-            let mut probe = P::default();
-            let before = Decisions::of_this_thread();
-            for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(tracer, scene, column, row, &mut probe);
-            }
-            probe.decisions(Decisions::of_this_thread() - before);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            probe
-        })
-        .sum();
+    drawn_part(plan, whole(&plan.scene.picture), progress)
+}
+
+fn drawn_part<P: Probe + Default + Send + Sum>(
+    plan: &Plan<'_>,
+    part: Region,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, P), Refusal> {
+    let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
+    let painter = Painter::new(plan, part, progress);
+    let rows = film.pixels_mut().par_chunks_mut(part.width).enumerate();
+    let seen = rows.map(|(row, pixels)| painter.paint(row, pixels)).sum();
     Ok((film, seen))
+}
+
+/// Renders a part of a scene's picture like [`observed_part`], but keeps nothing but what a file of this
+/// format holds.
+///
+/// # Errors
+/// As [`observed_part`].
+pub fn printed_part<P: Probe + Default + Send + Sum>(
+    scene: &Scene,
+    scope: Scope,
+    part: Region,
+    format: Format,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Print, P), Refusal> {
+    part.check_within([scene.picture.width, scene.picture.height])?;
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), scope)?;
+    let print = Print::new([part.width, part.height], format, scene.picture.rounding);
+    let mut print = print.ok_or_else(|| no_memory(part))?;
+    let painter = Painter::new(&plan, part, progress);
+    let rows = print.rows().enumerate();
+    let paper = || vec![Rgb::BLACK; part.width];
+    let seen = rows.map_init(paper, |pixels, (row, mut kept)| {
+        let seen = painter.paint(row, pixels);
+        kept.expose(pixels);
+        seen
+    });
+    let seen = seen.sum();
+    Ok((print, seen))
+}
+
+fn whole(picture: &Picture) -> Region {
+    Region::whole([picture.width, picture.height])
+}
+
+/// The refusal of a picture that memory cannot hold.
+#[must_use]
+pub fn no_memory(part: Region) -> Refusal {
+    let Region { width, height, .. } = part;
+    let reason = format!("there is no memory for {width} by {height} pixels");
+    Refusal::new("image", reason, "choose a smaller picture")
+}
+
+/// What draws the rows of a part of a picture.
+struct Painter<'a> {
+    plan: &'a Plan<'a>,
+    part: Region,
+    progress: &'a (dyn Fn(usize) + Sync),
+    /// The number of rows that are done.
+    done: AtomicUsize,
+}
+
+impl<'a> Painter<'a> {
+    fn new(plan: &'a Plan<'a>, part: Region, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self {
+            plan,
+            part,
+            progress,
+            done: AtomicUsize::new(0),
+        }
+    }
+
+    /// Gives the pixels of a row of the part their colours, and tells what was seen.
+    fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
+        let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
+        let Region { left, top, .. } = self.part;
+        let mut probe = P::default();
+        let before = ThreadWork::until_now();
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
+        }
+        before.tell(&mut probe);
+        (self.progress)(self.done.fetch_add(1, Ordering::Relaxed) + 1);
+        probe
+    }
 }
 
 /// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
@@ -112,12 +203,20 @@ pub fn pixel_color(
         reason = "picture sides are far below 2^53"
     )]
     let (x, y) = (column as f64, from_bottom as f64);
-    if scene.picture.samples == 1 {
+    let (pattern, count) = (scene.picture.pattern, scene.picture.samples);
+    if count == 1 {
         return tracer.sees(x, y, probe);
     }
+    let places = Places::new(pattern, column, from_bottom, count);
     let mut sum = Rgb::BLACK;
-    for (dx, dy) in samples(column, from_bottom, scene.picture.samples) {
-        sum = (sum + tracer.sees(x + dx, y + dy, probe)).saturated();
+    for number in 0..count {
+        let [dx, dy] = places.at(number);
+        let (x, y) = (x + dx, y + dy);
+        let color = match pattern {
+            Pattern::Sobol => tracer.sees_as(x, y, Seed::shared(places.seed, number), probe),
+            _ => tracer.sees(x, y, probe),
+        };
+        sum = (sum + color).saturated();
     }
-    sum / f64::from(scene.picture.samples)
+    sum / f64::from(count)
 }

@@ -32,13 +32,17 @@ pub enum Unfollowed {
     Capped(f64),
 }
 
-/// What arrives at a surface from a light.
+/// What arrives at a surface from a light or a lamp.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Arrival {
     /// The plan says that the light cannot light the surface.
     Unplanned,
-    /// The light is behind the surface.
+    /// The light is in the very place that is lit, so that no direction leads to it.
+    Here,
+    /// The light, or all of the lamp, is behind the surface.
     Behind,
+    /// The surface has no colour here that answers to a lamp.
+    Colorless,
     /// The beam passes by.
     OutsideBeam,
     /// Something stands in the way.
@@ -50,6 +54,13 @@ pub enum Arrival {
         /// Whether the plan says that nothing can stand in the way.
         unasked: bool,
     },
+    /// This of a lamp; without a ray if all of it is known to pass, or nothing.
+    Lamp {
+        /// What arrives, shadows included: by how much it lights white chalk.
+        color: Rgb,
+        /// The share of the lamp's light that passes what stands in its way.
+        passed: Rgb,
+    },
 }
 
 /// Someone who is told what the tracer does. `()` does not listen and costs nothing.
@@ -58,33 +69,37 @@ pub trait Probe {
     fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
     /// A ray does not set out.
     fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
+    /// Whether it has to be told how far off hits may be; it costs a little to know.
+    fn follows_errors(&self) -> bool {
+        false
+    }
     /// The ray that set out last and has not come back yet meets the surface with this place in the
     /// list, and how far off that may be.
     fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
-    /// What one of the scene's lights adds where that ray has met a surface.
+    /// What arrives where that ray has met a surface from one of the scene's lights, or of its lamps,
+    /// which are counted on from the lights.
     fn light(&mut self, _light: usize, _arrival: Arrival) {}
-    /// What the surface itself sends back to the eye: its ambient colour and that of all lights,
-    /// faded.
-    fn own_color(&mut self, _color: Rgb) {}
+    /// What the surface itself sends back to the eye, faded: its ambient colour, and that of all
+    /// lights and lamps; and what of it the lamps give, or the lamp that the surface is.
+    fn own_color(&mut self, _color: Rgb, _of_lamps: Rgb) {}
     /// That ray comes back with this colour, before its surface takes its share.
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
     fn hit_tests(&mut self, _count: u64) {}
-    /// Surfaces that were asked whether they hide one of the scene's lights, or of its lamps, which
-    /// are counted on from them.
+    /// Surfaces that were asked whether they hide one of the scene's lights, or a point of one of its
+    /// lamps, which are counted on from the lights.
     fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
-    /// Surfaces that were asked whether they hide a point of a lamp.
-    fn lamp_tests(&mut self, _count: u64) {}
-    /// Texels, or sums of texels, that a filter looked up.
-    fn texel_fetches(&mut self, _count: u64) {}
     /// What of that rounded values could not decide.
     fn decisions(&mut self, _decisions: Decisions) {}
+    /// Texels that were fetched from images, for surfaces that are seen, panes that tint a light, and
+    /// slides.
+    fn texel_fetches(&mut self, _count: u64) {}
 }
 
 impl Probe for () {}
 
 /// How much work a picture took.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Counts {
     /// Rays from the eye.
     pub camera_rays: u64,
@@ -105,10 +120,14 @@ pub struct Counts {
     pub hit_tests: u64,
     /// Surfaces that were asked whether they hide a light, or a point of a lamp.
     pub occlusion_tests: u64,
-    /// Texels, or sums of texels, that filters looked up; `nearest` is none.
-    pub texel_fetches: u64,
+    /// The same for every light by itself, and after the lights for every lamp; the last ones are
+    /// left out if nothing was asked for them.
+    #[serde(skip)]
+    pub occlusion_tests_of: Vec<u64>,
     /// What of that rounded values could not decide.
     pub decisions: Decisions,
+    /// Texels that were fetched from images.
+    pub texel_fetches: u64,
 }
 
 impl Counts {
@@ -133,7 +152,22 @@ impl Counts {
         self
     }
 
-    fn each(&mut self) -> [&mut u64; 12] {
+    /// Surfaces that were asked whether they hide a light, or a lamp, which are counted on from the
+    /// lights.
+    #[must_use]
+    pub fn occlusion_tests_of(&self, light: usize) -> u64 {
+        self.occlusion_tests_of.get(light).copied().unwrap_or(0)
+    }
+
+    /// Makes room for the lights up to this one.
+    #[cold]
+    fn reach_light(&mut self, light: usize) -> &mut u64 {
+        let count = self.occlusion_tests_of.len().max(light + 1);
+        self.occlusion_tests_of.resize(count, 0);
+        &mut self.occlusion_tests_of[light]
+    }
+
+    fn each(&mut self) -> impl Iterator<Item = &mut u64> {
         let Self {
             camera_rays,
             shadow_rays,
@@ -144,10 +178,11 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
-            texel_fetches,
+            occlusion_tests_of,
             decisions: Decisions { exactly, by_rule },
+            texel_fetches,
         } = self;
-        [
+        let alone = [
             camera_rays,
             shadow_rays,
             lamp_rays,
@@ -157,10 +192,11 @@ impl Counts {
             capped_rays,
             hit_tests,
             occlusion_tests,
-            texel_fetches,
             exactly,
             by_rule,
-        ]
+            texel_fetches,
+        ];
+        alone.into_iter().chain(occlusion_tests_of)
     }
 }
 
@@ -187,27 +223,30 @@ impl Probe for Counts {
         self.hit_tests += count;
     }
 
-    fn occlusion_tests(&mut self, _light: usize, count: u64) {
+    fn occlusion_tests(&mut self, light: usize, count: u64) {
         self.occlusion_tests += count;
-    }
-
-    fn lamp_tests(&mut self, count: u64) {
-        self.occlusion_tests += count;
-    }
-
-    fn texel_fetches(&mut self, count: u64) {
-        self.texel_fetches += count;
+        match self.occlusion_tests_of.get_mut(light) {
+            Some(of_light) => *of_light += count,
+            None => *self.reach_light(light) += count,
+        }
     }
 
     fn decisions(&mut self, decisions: Decisions) {
         self.decisions = self.decisions + decisions;
+    }
+
+    fn texel_fetches(&mut self, count: u64) {
+        self.texel_fetches += count;
     }
 }
 
 impl Sum for Counts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
         counts.fold(Self::default(), |mut sum, mut next| {
-            for (sum, next) in sum.each().into_iter().zip(next.each()) {
+            if let Some(last) = next.occlusion_tests_of.len().checked_sub(1) {
+                sum.reach_light(last);
+            }
+            for (sum, next) in sum.each().zip(next.each()) {
                 *sum += *next;
             }
             sum

@@ -1,6 +1,6 @@
 //! What a surface sends back of the light that falls on it.
 
-use crate::accel::{Entry, LightView};
+use crate::accel::{Before, Entry};
 use crate::light::Light;
 use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::plan::Scope;
@@ -26,11 +26,12 @@ impl Tracer<'_> {
         let diffuse = surface.getdiff(hit);
         let lights = self.plan.scene.lights.iter().zip(&self.plan.light_views);
         for (index, (light, view)) in lights.enumerate() {
-            if !view.lights(entry) {
+            let Some(before) = view.before(entry) else {
                 probe.light(index, Arrival::Unplanned);
                 continue;
-            }
+            };
             let Some(segment) = Segment::new(departure, light.location) else {
+                probe.light(index, Arrival::Here);
                 continue;
             };
             let cosine = segment.ray.dir.dot(hit.normal);
@@ -38,7 +39,7 @@ impl Tracer<'_> {
                 probe.light(index, Arrival::Behind);
                 continue;
             }
-            let arrival = self.arrival((entry, hit), (index, light), view, &segment, probe);
+            let arrival = self.arrival((entry, hit), (index, light), &before, &segment, probe);
             probe.light(index, arrival);
             let Arrival::Light {
                 color: arriving, ..
@@ -69,15 +70,15 @@ impl Tracer<'_> {
         &self,
         (entry, hit): (&Entry<'_>, &Hit),
         (index, light): (usize, &Light),
-        view: &LightView<'_>,
+        before: &Before<'_, '_>,
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(leaving) = light.towards(-segment.ray.dir) else {
+        let Some(leaving) = light.seen_along(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
         let receives = entry.common.shadows.receive;
-        if !(receives && view.can_be_hidden_from(entry, hit, &segment.ray)) {
+        if !(receives && before.can_hide(hit, &segment.ray)) {
             return Arrival::Light {
                 color: leaving,
                 unasked: true,
@@ -89,7 +90,7 @@ impl Tracer<'_> {
             ..*segment
         };
         let mut tests = 0;
-        let passed = view.transmittance(entry, hit, &segment, &mut tests);
+        let passed = before.transmittance(hit, &segment, &mut tests);
         probe.occlusion_tests(index, tests);
         if passed.is_black() {
             return Arrival::Hidden;

@@ -6,7 +6,7 @@ use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Unfollowed};
+use super::{Errors, Probe, RayKind, Seed, Turn, Unfollowed};
 
 /// The most mirrored and transmitted rays that one ray from the eye may cause.
 ///
@@ -32,7 +32,7 @@ struct Path<'a> {
     /// What rounding may have done to it.
     errors: Errors,
     /// What tells it from other rays from the eye.
-    seed: u64,
+    seed: Seed,
     /// The rays around it, if a filter asks for them.
     beam: Option<&'a Beam>,
 }
@@ -81,6 +81,12 @@ impl<'a> Tracer<'a> {
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
     #[inline]
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
+        self.sees_as(x, y, Seed::of_place(x, y), probe)
+    }
+
+    /// The colour at a place of the picture, where what is chosen on the way is chosen by this seed.
+    #[inline]
+    pub(super) fn sees_as(&self, x: f64, y: f64, seed: Seed, probe: &mut impl Probe) -> Rgb {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let mut budget = Budget {
@@ -93,7 +99,7 @@ impl<'a> Tracer<'a> {
             weight: 1.0,
             media: Media::Air,
             errors: Errors::default(),
-            seed: x.to_bits() ^ y.to_bits().rotate_left(32),
+            seed,
             beam: beam.as_ref(),
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
@@ -131,32 +137,38 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         };
         if let Some(beam) = path.beam {
-            hit.texel = self.texel_over(entry, hit, beam, probe);
+            hit.texel = self.texel_over(entry, hit, beam);
         }
         let hit = &*hit;
-        let errors = path.errors.at(hit);
+        let follows_errors = probe.follows_errors();
+        let errors = if follows_errors {
+            path.errors.at(ray, hit)
+        } else {
+            path.errors
+        };
         probe.met(entry.index, hit, errors);
         let surface = entry.surface;
         let material = &entry.common.material;
         let travelled = path.travelled + hit.t;
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
         let everything = self.plan.scope == Scope::Everything;
-        let sends_on = material.sends_on() || everything;
+        let sends_on = entry.sends_on || everything;
         if !sends_on && self.plan.is_unlit() {
             // No ray leaves here, so nothing has to be known of rays that would.
             let color = (surface.getamb(hit) / divisor).saturated();
-            probe.own_color(color);
+            probe.own_color(color, Rgb::BLACK);
             probe.came_back(color);
             return color;
         }
         let departure = entry.departure(ray, hit);
         let mut local = self.local_color(ray, entry, &departure, hit, probe);
+        let mut of_lamps = Rgb::BLACK;
         if !self.plan.lamp_views.is_empty() {
-            let light = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
-            local = (local + light).saturated();
+            of_lamps = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
+            local = (local + of_lamps).saturated();
         }
         let mut color = (local / divisor).saturated();
-        probe.own_color(color);
+        probe.own_color(color, of_lamps / divisor);
         if !sends_on {
             probe.came_back(color);
             return color;
@@ -164,7 +176,7 @@ impl<'a> Tracer<'a> {
 
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = everything && path.weight > 0.0;
-        let follow = |share: Rgb, (dir, media), kind, budget: &mut _, probe: &mut _| {
+        let follow = |share: Rgb, (dir, media, turn), kind, budget: &mut _, probe: &mut _| {
             let beam = path
                 .beam
                 .map(|beam| self.onward(beam, entry, (ray, hit), (kind, dir)));
@@ -172,8 +184,12 @@ impl<'a> Tracer<'a> {
                 travelled,
                 weight: path.weight * share.largest(),
                 media,
-                errors: errors.behind(surface),
-                seed: path.seed.wrapping_add(1),
+                errors: if follows_errors {
+                    errors.behind(surface, turn, ray.dir, hit.normal)
+                } else {
+                    errors
+                },
+                seed: path.seed.next(),
                 beam: beam.as_ref(),
             };
             let uncalled = path.weight == 0.0 && everything;
@@ -199,7 +215,7 @@ impl<'a> Tracer<'a> {
             let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let share = surface.transmits(hit) * boundary.passing;
-                let onward = (dir, boundary.beyond);
+                let onward = (dir, boundary.beyond, boundary.turn);
                 follow(share, onward, RayKind::Transmitted, budget, probe)
             });
             if let Some(aside) = aside {
@@ -208,7 +224,7 @@ impl<'a> Tracer<'a> {
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
-            let onward = (ray.mirrored(hit.normal), path.media);
+            let onward = (ray.mirrored(hit.normal), path.media, Turn::Mirrored);
             let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
             color = (color + mirrored).saturated();
         }

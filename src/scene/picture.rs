@@ -1,6 +1,7 @@
 //! The picture's size and how its pixels are made.
 
 use super::Setting;
+use crate::camera::Pattern;
 use crate::film::Rounding;
 use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
 use crate::math::Numerics;
@@ -15,6 +16,8 @@ pub struct Picture {
     pub height: u32,
     /// Rays through each pixel; at least 1.
     pub samples: u32,
+    /// How they are spread over the pixel.
+    pub pattern: Pattern,
     /// How intensities become code values.
     pub rounding: Rounding,
     /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed
@@ -51,9 +54,18 @@ impl Picture {
             Attribute::new(
                 "samples",
                 Takes::Number(Range::Whole(1, Self::MOST_SAMPLES)),
-                "rays through each pixel; one goes through its centre, more are stratified",
+                "rays through each pixel; one goes through its centre",
             )
             .or(Default::Number(1.0)),
+            Attribute::new(
+                "pattern",
+                Takes::Word(&Pattern::WORDS),
+                "how several rays are spread over a pixel: `grid` in the centres of equal cells, \
+                 `stratified` anywhere in each cell, `sobol` in an Owen-scrambled Sobol sequence, \
+                 of which the places on lamps are parts, too, and `random` anywhere; `center` is \
+                 for one ray",
+            )
+            .or(Default::Word("stratified")),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
@@ -102,6 +114,23 @@ impl Picture {
         Err(Refusal::new("image", reason, "choose a smaller picture"))
     }
 
+    /// Whether the settings make sense together.
+    ///
+    /// # Errors
+    /// Refuses several rays through one place.
+    pub fn check(&self) -> Result<(), Refusal> {
+        let Self {
+            samples, pattern, ..
+        } = self;
+        if *pattern == Pattern::Center && *samples > 1 {
+            let reason = format!("{samples} rays through the centre of a pixel are the same ray");
+            let advice = "ask for `samples=1`, or for another pattern, such as `grid`";
+            let expected = "expected one ray with `pattern=\"center\"`";
+            return Err(Refusal::new("pattern", reason, advice).expected(expected));
+        }
+        Ok(())
+    }
+
     /// What an `image` node says.
     ///
     /// # Errors
@@ -132,6 +161,7 @@ impl Picture {
             width,
             height,
             samples: whole(number("samples")),
+            pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
@@ -145,6 +175,7 @@ impl Picture {
         Node::new(&Self::SCHEMA, None)
             .value([f64::from(self.width), f64::from(self.height)])
             .with_property("samples", f64::from(self.samples))
+            .with_property("pattern", self.pattern.word())
             .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())

@@ -236,7 +236,7 @@ impl Surface for Ellipsoid {
         if let Some(passes) = self.lets_out(segment, end) {
             return passes;
         }
-        let Some((t, _)) = self.entry(&segment.ray) else {
+        let Some((t, error)) = self.entry(&segment.ray) else {
             return false;
         };
         // As with a sphere, in the space where the ellipsoid is one.
@@ -254,7 +254,7 @@ impl Surface for Ellipsoid {
                 exact,
             )
         };
-        (end == Side::Back || beyond()) && segment.span.contains(t)
+        (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
     fn texture(&self) -> Option<&Texture> {
@@ -270,7 +270,7 @@ impl Surface for Ellipsoid {
         Hit { texel, ..*hit }
     }
 
-    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter, fetches: &mut u64) -> Rgb {
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
         let Some(image) = &self.image else {
             return hit.texel;
         };
@@ -278,6 +278,6 @@ impl Surface for Ellipsoid {
         let steps = steps.map(|step| step / self.axes);
         let on_sphere = direction(self.on_unit_sphere(&hit.point));
         let seen = (filter, hit.texel);
-        globe::texel_over(image, seen, on_sphere, steps, fetches)
+        globe::texel_over(image, seen, on_sphere, steps)
     }
 }

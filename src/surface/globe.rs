@@ -42,7 +42,6 @@ pub(super) fn texel_over(
     (filter, nearest): (Filter, Rgb),
     direction: DVec3,
     steps: [DVec3; 2],
-    fetches: &mut u64,
 ) -> Rgb {
     // How fast longitude and latitude change; at a pole, infinitely.
     let around = direction.x * direction.x + direction.z * direction.z;
@@ -54,7 +53,7 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, nearest, &image.in_texels(spread), wraps, fetches)
+    image.around(filter, nearest, &image.in_texels(spread), wraps)
 }
 
 /// Adds the texture of a round thing to its node.

@@ -75,7 +75,8 @@ pub(super) trait Round: Surface {
             Start::OutsideOfIt => Some(false),
             Start::Inside | Start::InsideOfIt => {
                 let leaves = || self.meeting_from_either_side(&segment.ray);
-                let within = |(t, _): (f64, f64)| segment.span.contains(t.min(segment.length));
+                let within =
+                    |(t, error): (f64, f64)| segment.admits(t.min(segment.length), || error, None);
                 Some(end == Side::Front && leaves().is_some_and(within))
             }
         }

@@ -110,8 +110,10 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// that the segment's end is on.
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         // A light on the surface itself is not hidden by it.
-        let hit = self.hits(&segment.ray, segment.span);
-        hit.is_some_and(|hit| hit.t < segment.length)
+        let hit = self.hits(&segment.ray, segment.span.span());
+        hit.is_some_and(|hit| {
+            hit.t < segment.length && segment.admits(hit.t, || hit.error, self.flat())
+        })
     }
 
     /// The distance at which a ray meets the surface, exactly: for hits whose order is in doubt.
@@ -147,9 +149,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
         *hit
     }
 
-    /// The colour of the surface's texture in what a beam covers of it around a settled hit. Texels
-    /// looked up are added to `fetches`.
-    fn texel_over(&self, hit: &Hit, _beam: &Beam, _filter: Filter, _fetches: &mut u64) -> Rgb {
+    /// The colour of the surface's texture in what a beam covers of it around a settled hit.
+    fn texel_over(&self, hit: &Hit, _beam: &Beam, _filter: Filter) -> Rgb {
         hit.texel
     }
 

@@ -131,6 +131,6 @@ impl Surface for Plane {
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
         let crossing = self.flat.separates(segment, end);
-        crossing.is_some_and(|crossing| segment.holds(&crossing))
+        crossing.is_some_and(|crossing| segment.holds(&crossing, &self.flat))
     }
 }

@@ -217,7 +217,7 @@ impl Surface for Sphere {
         if let Some(passes) = self.lets_out(segment, end) {
             return passes;
         }
-        let Some((t, _)) = self.entry(&segment.ray) else {
+        let Some((t, error)) = self.entry(&segment.ray) else {
             return false;
         };
         // The line is nearest to the centre inside, so an end outside lies before or beyond that
@@ -228,7 +228,7 @@ impl Surface for Sphere {
             way.dot(&dir.into())
         };
         let beyond = || is_beyond(segment.end.parts_from(self.center), dir, exact);
-        (end == Side::Back || beyond()) && segment.span.contains(t)
+        (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
     fn texture(&self) -> Option<&Texture> {
@@ -241,13 +241,13 @@ impl Surface for Sphere {
         Hit { texel, ..*hit }
     }
 
-    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter, fetches: &mut u64) -> Rgb {
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
         let Some(image) = &self.image else {
             return hit.texel;
         };
         let steps = beam.steps_at(&hit.point, hit.normal);
         let steps = steps.map(|step| step / self.radius);
         let seen = (filter, hit.texel);
-        globe::texel_over(image, seen, hit.normal, steps, fetches)
+        globe::texel_over(image, seen, hit.normal, steps)
     }
 }

@@ -167,12 +167,12 @@ impl Surface for TexturePlane {
         Hit { uv, texel, ..*hit }
     }
 
-    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter, fetches: &mut u64) -> Rgb {
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
         let Rectangle {
             flat, frame, size, ..
         } = self.plane.rectangle();
         let footprint = beam.on(flat.point, [frame.x, frame.y], flat.normal);
         let seen = (&footprint, *size);
-        self.image.over(filter, hit.texel, seen, fetches)
+        self.image.over(filter, hit.texel, seen)
     }
 }

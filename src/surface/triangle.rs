@@ -219,7 +219,7 @@ impl Surface for Triangle {
 
     fn occludes(&self, segment: &Segment, end: Side) -> bool {
         self.flat.separates(segment, end).is_some_and(|crossing| {
-            self.contains_line(&segment.ray, &crossing) && segment.holds(&crossing)
+            self.contains_line(&segment.ray, &crossing) && segment.holds(&crossing, &self.flat)
         })
     }
 }

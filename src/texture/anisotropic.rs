@@ -15,7 +15,6 @@ pub(super) fn anisotropic(
     texture: &Texture,
     spread: &Spread,
     wraps: [Wrap; 2],
-    fetches: &mut u64,
 ) -> Rgb {
     let (axis, short) = spread.axes();
     let long = axis.length();
@@ -26,7 +25,7 @@ pub(super) fn anisotropic(
     let (mut sum, mut number) = (Rgb::BLACK, 0.0);
     while number < probes {
         let place = spread.place + axis * ((number + 0.5) / probes - 0.5);
-        sum += pyramid.at(texture, place, size, wraps, fetches);
+        sum += pyramid.at(texture, place, size, wraps);
         number += 1.0;
     }
     sum / probes

@@ -31,12 +31,7 @@ const MOST_STEPS: f64 = 256.0;
 
 /// The mean over the part of a pixel that shows the rectangle from the origin to `size`, all in
 /// texels; `None` if no part does, or if it shows only one texel.
-pub(super) fn mean(
-    sums: &Sums,
-    footprint: &Footprint,
-    size: DVec2,
-    fetches: &mut u64,
-) -> Option<Rgb> {
+pub(super) fn mean(sums: &Sums, footprint: &Footprint, size: DVec2) -> Option<Rgb> {
     let seen = Polygon::showing(footprint, size);
     let depths = || seen.corners().iter().map(|corner| corner.image.z);
     // Depth is one over what lies in z.
@@ -60,7 +55,7 @@ pub(super) fn mean(
     let mut add = |low: f64, high: f64| {
         let band = seen.cut(|image| image.z - low).cut(|image| high - image.z);
         let share = band.area();
-        if let Some(mean) = mean_of_band(sums, &band, fetches)
+        if let Some(mean) = mean_of_band(sums, &band)
             && share > 0.0
         {
             sum += mean * share;
@@ -84,7 +79,7 @@ pub(super) fn mean(
 
 /// The mean of the texels in a part of a pixel of nearly one depth; `None` if it is too small to have
 /// one.
-fn mean_of_band(sums: &Sums, band: &Polygon, fetches: &mut u64) -> Option<DVec3> {
+fn mean_of_band(sums: &Sums, band: &Polygon) -> Option<DVec3> {
     let places = band.places();
     let low = places.clone().reduce(DVec2::min)?;
     // Whole periods of the texture are taken off, so that no sum is larger than need be.
@@ -97,14 +92,14 @@ fn mean_of_band(sums: &Sums, band: &Polygon, fetches: &mut u64) -> Option<DVec3>
     let next = places.clone().cycle().skip(1);
     let mut sum = DVec3::ZERO;
     for (from, to) in places.zip(next) {
-        sum += along_edge(sums, from, to, area.abs(), fetches);
+        sum += along_edge(sums, from, to, area.abs());
     }
     let mean = sum / area;
     mean.is_finite().then_some(mean)
 }
 
 /// The integral along an edge of a polygon with this area.
-fn along_edge(sums: &Sums, from: DVec2, to: DVec2, area: f64, fetches: &mut u64) -> DVec3 {
+fn along_edge(sums: &Sums, from: DVec2, to: DVec2, area: f64) -> DVec3 {
     let way = to - from;
     if way.y == 0.0 {
         return DVec3::ZERO;
@@ -121,7 +116,6 @@ fn along_edge(sums: &Sums, from: DVec2, to: DVec2, area: f64, fetches: &mut u64)
             let end = number / steps;
             let middle = from.x + way.x * ((start + end) / 2.0);
             sum += sums.strip(middle, from.y + way.y * start, from.y + way.y * end);
-            *fetches += 1;
             (number, start) = (number + 1.0, end);
         }
         return sum;
@@ -133,7 +127,6 @@ fn along_edge(sums: &Sums, from: DVec2, to: DVec2, area: f64, fetches: &mut u64)
         let end = x.next.min(y.next).min(1.0);
         let middle = from + way * ((start + end) / 2.0);
         sum += sums.row(middle) * (way.y * (end - start));
-        *fetches += 1;
         for crossing in &mut crossings {
             crossing.pass(end);
         }

@@ -83,59 +83,39 @@ impl TextureMap {
     }
 
     /// The colour of what a pixel covers of a rectangle of this size that wears the texture, by any
-    /// filter; `nearest` is the texel in its middle. Texels looked up are added to `fetches`.
+    /// filter; `nearest` is the texel in its middle.
     #[must_use]
     pub fn over(
         &self,
         filter: Filter,
         nearest: Rgb,
         (footprint, size): (&Footprint, DVec2),
-        fetches: &mut u64,
     ) -> Rgb {
         let texel = self.texel_size();
         if filter == Filter::Exact {
             let footprint = footprint.over(texel);
-            return self.mean_over(nearest, &footprint, size / texel, fetches);
+            return self.mean_over(nearest, &footprint, size / texel);
         }
         let spread = self.in_texels(footprint.spread());
-        self.around(filter, nearest, &spread, [self.wrap; 2], fetches)
+        self.around(filter, nearest, &spread, [self.wrap; 2])
     }
 
     /// The mean over what a pixel covers of a rectangle, in texels. Of one texel that is its colour, and if
     /// nothing is covered, the texel in the middle.
-    fn mean_over(
-        &self,
-        nearest: Rgb,
-        footprint: &Footprint,
-        size: DVec2,
-        fetches: &mut u64,
-    ) -> Rgb {
+    fn mean_over(&self, nearest: Rgb, footprint: &Footprint, size: DVec2) -> Rgb {
         // Out there no double says which texels are covered.
         if size.max_element() >= Grid::MOST_CELLS / 1024.0 {
             let spread = footprint.spread();
-            return self.around(
-                Filter::Anisotropic,
-                nearest,
-                &spread,
-                [self.wrap; 2],
-                fetches,
-            );
+            return self.around(Filter::Anisotropic, nearest, &spread, [self.wrap; 2]);
         }
         let sums = self.texture.sums();
-        area::mean(sums, footprint, size, fetches).unwrap_or(nearest)
+        area::mean(sums, footprint, size).unwrap_or(nearest)
     }
 
     /// The colour around a place in texels by a filter that looks at a footprint's middle and its
     /// steps; where the whole footprint would have to be known, along its longer axis.
     #[must_use]
-    pub fn around(
-        &self,
-        filter: Filter,
-        nearest: Rgb,
-        spread: &Spread,
-        wraps: [Wrap; 2],
-        fetches: &mut u64,
-    ) -> Rgb {
+    pub fn around(&self, filter: Filter, nearest: Rgb, spread: &Spread, wraps: [Wrap; 2]) -> Rgb {
         let texture = &*self.texture;
         // Out there no double says where a texel's middle is.
         let place = spread.place;
@@ -146,7 +126,6 @@ impl TextureMap {
         match filter {
             Filter::Nearest => nearest,
             Filter::Bilinear => {
-                *fetches += 4;
                 let sides = [texture.texels.width, texture.texels.height];
                 bilinear(place, sides, wraps, |column, row| {
                     texture.from_bottom(column, row)
@@ -154,10 +133,10 @@ impl TextureMap {
             }
             Filter::Mipmap => {
                 let size = longer_step(spread);
-                texture.pyramid().at(texture, place, size, wraps, fetches)
+                texture.pyramid().at(texture, place, size, wraps)
             }
             Filter::Anisotropic | Filter::Exact => {
-                anisotropic(texture.pyramid(), texture, spread, wraps, fetches)
+                anisotropic(texture.pyramid(), texture, spread, wraps)
             }
         }
     }

@@ -4,6 +4,7 @@ mod anisotropic;
 mod area;
 mod bilinear;
 mod decode;
+mod fetches;
 mod filter;
 mod map;
 mod pnm;
@@ -13,6 +14,7 @@ mod sums;
 mod wrap;
 
 pub use decode::{DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, check, decode};
+pub use fetches::fetched_by_this_thread;
 pub use filter::Filter;
 pub use map::TextureMap;
 pub use wrap::Wrap;
@@ -117,9 +119,19 @@ impl Texture {
     #[must_use]
     #[inline]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
+        fetches::note(1);
+        self.color(column, row)
+    }
+
+    fn color(&self, column: usize, row: usize) -> Rgb {
         let [r, g, b] = self.texels.channels[row * self.texels.width + column];
         let intensity = |channel| self.intensities[usize::from(channel)];
         Rgb::new(intensity(r), intensity(g), intensity(b))
+    }
+
+    /// The same as [`from_bottom`](Self::from_bottom), for what is made once and no picture's work.
+    fn uncounted(&self, column: usize, row: usize) -> Rgb {
+        self.color(column, self.texels.height - 1 - row)
     }
 
     /// The colour of a texel; column from the left, row from the bottom.

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::bilinear::{between, bilinear};
+use super::fetches::note;
 use super::{Texels, Texture, Wrap};
 use crate::math::{Rgb, Spread};
 
@@ -78,7 +79,7 @@ impl Pyramid {
         let mut sides = [width, height];
         while sides != [1, 1] {
             let next = match images.last() {
-                None => Image::halved(sides, |column, row| texture.from_bottom(column, row)),
+                None => Image::halved(sides, |column, row| texture.uncounted(column, row)),
                 Some(last) => Image::halved(sides, |column, row| last.texel(column, row)),
             };
             sides = next.sides;
@@ -89,14 +90,7 @@ impl Pyramid {
 
     /// The colour at a place in texels of the texture, of things as large as this many texels: between
     /// the images whose texels are next to that.
-    pub(super) fn at(
-        &self,
-        texture: &Texture,
-        place: DVec2,
-        size: f64,
-        wraps: [Wrap; 2],
-        fetches: &mut u64,
-    ) -> Rgb {
+    pub(super) fn at(&self, texture: &Texture, place: DVec2, size: f64, wraps: [Wrap; 2]) -> Rgb {
         #[expect(clippy::cast_precision_loss, reason = "there are few images")]
         let last = self.images.len() as f64;
         // Of a size that no number can tell, there is only the mean; log2(0) is below all levels.
@@ -113,24 +107,16 @@ impl Pyramid {
             reason = "from 0 to the number of images"
         )]
         let number = low as usize;
-        let fine = self.bilinear(texture, number, place, wraps, fetches);
+        let fine = self.bilinear(texture, number, place, wraps);
         if level > low {
-            let coarse = self.bilinear(texture, number + 1, place, wraps, fetches);
+            let coarse = self.bilinear(texture, number + 1, place, wraps);
             return between(fine, coarse, level - low);
         }
         fine
     }
 
     /// The colour in the texture itself, or in one of the images, counted from 1.
-    fn bilinear(
-        &self,
-        texture: &Texture,
-        level: usize,
-        place: DVec2,
-        wraps: [Wrap; 2],
-        fetches: &mut u64,
-    ) -> Rgb {
-        *fetches += 4;
+    fn bilinear(&self, texture: &Texture, level: usize, place: DVec2, wraps: [Wrap; 2]) -> Rgb {
         let whole = [texture.texels.width, texture.texels.height];
         let Some(image) = level.checked_sub(1).map(|number| &self.images[number]) else {
             return bilinear(place, whole, wraps, |column, row| {
@@ -140,6 +126,7 @@ impl Pyramid {
         #[expect(clippy::cast_precision_loss, reason = "sides are short")]
         let scale = |axis: usize| image.sides[axis] as f64 / whole[axis] as f64;
         let place = place * DVec2::new(scale(0), scale(1));
+        note(4);
         bilinear(place, image.sides, wraps, |column, row| {
             image.texel(column, row)
         })
@@ -194,7 +181,7 @@ mod tests {
         let pyramid = Pyramid::new(&texture);
         let at = |size| {
             let place = DVec2::new(2.5, 3.5);
-            pyramid.at(&texture, place, size, [Wrap::Repeat; 2], &mut 0)
+            pyramid.at(&texture, place, size, [Wrap::Repeat; 2])
         };
         for size in [0.0, 0.5, 1.0] {
             assert_eq!(at(size), texture.from_bottom(2, 3));

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::fetches::note;
 use super::{Texels, Texture};
 use crate::math::Rgb;
 
@@ -60,6 +61,7 @@ impl Sums {
     /// parts of texels count as such, and the texture is repeated. No place is below zero, but for
     /// rounding.
     pub(super) fn strip(&self, right: f64, bottom: f64, top: f64) -> DVec3 {
+        note(1);
         let right = Place::new(right, self.sides.x);
         let [bottom, top] = [bottom, top].map(|place| Place::new(place, self.sides.y));
         self.corner(&right, &top) - self.corner(&right, &bottom)
@@ -68,6 +70,7 @@ impl Sums {
     /// The channels summed up from 0 to the place's x, over the row of texels that the place lies in.
     #[inline]
     pub(super) fn row(&self, place: DVec2) -> DVec3 {
+        note(1);
         let (right, row) = (
             Place::new(place.x, self.sides.x),
             Place::new(place.y, self.sides.y),

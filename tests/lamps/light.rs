@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use heliodon::math::form_factor;
+use heliodon::plan::Scope;
 
-use super::drawn;
+use super::{bits, drawn, picture};
 
 /// Where a pixel's centre looks at the floor from above: a camera at (0, 9, 0) that sees 4 × 4 units of
 /// it in 32 × 32 pixels, x to the right and z downward.
@@ -132,4 +133,33 @@ fn what_receives_no_shadows_gets_the_whole_lamp() {
         dark.1.lamp_rays, 0,
         "what is hidden for certain is not asked"
     );
+}
+
+#[test]
+fn no_ray_goes_to_a_lamp_that_could_add_nothing() {
+    let scene = |emissivity: f64, material: &str| {
+        let text = format!(
+            r#"
+            image 9 7
+            camera {{ viewpoint 0 0 9; look-at 0 0 0 }}
+            material "wall" {{ ambient 0.5; {material} }}
+            material "card" {{ diffuse 1 }}
+            plane {{ material "wall"; point 0 0 0; normal 0 0 1 }}
+            finite-plane {{
+                material "card"; point 0 0 10; normal 0 0 1; xdir 1 0 0; dimensions 1 1 }}
+            lamp {{
+                point 2 -2 12; normal 0 0 -1; xdir -1 0 0; dimensions 4 4
+                emissivity {emissivity}; samples 4 }}
+            "#
+        );
+        let [(film, counts), (whole, all)] =
+            [Scope::CalledFor, Scope::Everything].map(|scope| picture(&text, scope));
+        assert_eq!(bits(&film), bits(&whole), "{emissivity} {material}");
+        assert!(all.lamp_rays >= 63 * 4 || material.is_empty());
+        counts.lamp_rays
+    };
+    assert!(scene(2.0, "diffuse 1") > 0);
+    assert_eq!(scene(0.0, "diffuse 1"), 0);
+    assert_eq!(scene(2.0, ""), 0);
+    assert_eq!(scene(2.0, "diffuse 1; transparency 1"), 0);
 }

@@ -254,6 +254,98 @@ fn a_moved_screen_cuts_where_it_stands() {
     }
 }
 
+/// S2: it is the exact place that counts, to the last bit, for flat surfaces of every kind: for rays from
+/// the eye, from mirrors, and to lights.
+#[test]
+fn one_unit_in_the_last_place_before_the_screen_is_before_it() {
+    let screen = 0.3f64;
+    let surfaces = |z: f64| {
+        [
+            format!("plane {{ material \"red\"; point 7.1 0.3 {z:?}; normal 0 0 1 }}"),
+            format!("plane {{ material \"red\"; point 7.1 0.3 {z:?}; normal 0 0 -3 }}"),
+            format!(
+                "finite-plane {{ material \"red\"; point -901 -902 {z:?}; normal 0 0 1
+                xdir 1 0 0; dimensions 1900 1900 }}"
+            ),
+            format!(
+                "triangle {{ material \"red\"; vertex1 -900 -950.1 {z:?}
+                vertex2 900.7 -950 {z:?}; vertex3 0.1 930.7 {z:?} }}"
+            ),
+        ]
+    };
+    // Beside the way of the rays from the eye.
+    let beside = |z: f64| {
+        format!(
+            "finite-plane {{ material \"red\"; point 3 -902 {z:?}; normal 0 0 1
+            xdir 1 0 0; dimensions 1900 1900 }}"
+        )
+    };
+    let mirror = r#"material "mirror" { specular 1 }
+        plane { material "mirror"; point 0 0 -4.7; normal 0.5 0 1 }"#;
+    let lit = r#"material "wall" { diffuse 1 }
+        plane { material "wall"; point 0 0 -4.3; normal 0 0 1 }
+        light { location 12 0.7 5; emissivity 1 }"#;
+    for (z, counts) in [
+        (screen, true),
+        (screen.next_up(), false),
+        (screen.next_down(), true),
+    ] {
+        for step in 0..40 {
+            let [x, y] = [0.037, 0.023].map(|pace| pace * f64::from(step) - 0.9);
+            let seen = |eye: f64, scene: &[&str]| {
+                let camera = format!(
+                    "image 1 1
+                    camera {{ viewpoint {x:?} {y:?} {eye:?}
+                    screen 1 1; screen-at 0.1 0.2 {screen:?} }}"
+                );
+                Stage::new(&[&[&*camera], scene].concat().join("\n"))
+                    .pixel()
+                    .r
+                    > 0.0
+            };
+            let [near, far] = [0.7, 9.3].map(|eye| eye + 0.9 * f64::from(step));
+            for surface in surfaces(z) {
+                assert_eq!(seen(near, &[&surface]), counts, "{z:?} {step} {surface}");
+            }
+            let beside = beside(z);
+            assert_eq!(
+                seen(far, &[mirror, &beside]),
+                counts,
+                "{z:?} {step}, in a mirror"
+            );
+            assert_eq!(
+                seen(far, &[lit, &beside]),
+                !counts,
+                "{z:?} {step}, a shadow"
+            );
+        }
+    }
+}
+
+/// S2: a floor that begins at the screen's lower edge, or a wall at its left, is seen in all of the
+/// outermost pixels, though the rays to them are rounded.
+#[test]
+fn what_begins_at_the_edge_of_the_screen_is_seen_there() {
+    for step in 0..60 {
+        let number = |pace: f64| f64::from(step) * pace + 0.1;
+        let [x, y, z] = [0.37, 0.23, 0.71].map(number);
+        let [at_x, at_y, at_z] = [0.3 - x, 0.9 - y, z - 0.05 - 0.17 * f64::from(step % 4)];
+        let text = format!(
+            "image 9 7
+            camera {{ viewpoint {x:?} {y:?} {z:?}; screen 12.3 9.1
+                screen-at {at_x:?} {at_y:?} {at_z:?} }}
+            plane {{ material \"red\"; point 0 {at_y:?} 0; normal 0 1 0 }}
+            plane {{ material \"red\"; point {at_x:?} 0 0; normal 1 0 0 }}"
+        );
+        let film = Stage::new(&text).film();
+        for place in 0..9 {
+            let bottom = film.pixel(place, 6).r;
+            let left = film.pixel(0, place.min(6)).r;
+            assert!(bottom > 0.0 && left > 0.0, "{step}: {place} of {text}");
+        }
+    }
+}
+
 /// S2: a surface exactly in the screen is seen.
 #[test]
 fn the_screen_itself_belongs_to_the_scene() {

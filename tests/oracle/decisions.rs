@@ -216,7 +216,10 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
         let list = SurfaceList::with(&surfaces, accelerator);
         let view = LightView::all(&list, std::iter::once(end), false).remove(0);
-        view.transmittance(&list.entries()[0], &hit, &segment, &mut 0)
+        let before = view.before(&list.entries()[0]);
+        before.map_or(Rgb::WHITE, |before| {
+            before.transmittance(&hit, &segment, &mut 0)
+        })
     });
     if passed[0] != passed[1] {
         tally.wrong(|| format!("the tree loses the shadow of {segment:?} and {surfaces:?}"));

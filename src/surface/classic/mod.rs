@@ -126,7 +126,7 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
 
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         let end = T::of(segment.length) - T::OFFSET;
-        let counts = |t: T| t > T::OFFSET && t < end && segment.span.contains(t.wide());
+        let counts = |t: T| t > T::OFFSET && t < end && segment.span.span().contains(t.wide());
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()
     }
 
@@ -138,9 +138,9 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         Hit { texel, ..*hit }
     }
 
-    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter, fetches: &mut u64) -> Rgb {
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
         let own = anchored(hit, self.anchor);
-        self.surface.texel_over(&own, beam, filter, fetches)
+        self.surface.texel_over(&own, beam, filter)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

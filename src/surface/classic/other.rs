@@ -42,7 +42,7 @@ impl<T: Scalar> Surface for Other<'_, T> {
     }
 
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
-        let before = segment.span.until(segment.length - T::OFFSET.wide());
+        let before = segment.span.span().until(segment.length - T::OFFSET.wide());
         self.hits(&segment.ray, before).is_some()
     }
 
@@ -50,8 +50,8 @@ impl<T: Scalar> Surface for Other<'_, T> {
         self.surface.settle(hit, ray)
     }
 
-    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter, fetches: &mut u64) -> Rgb {
-        self.surface.texel_over(hit, beam, filter, fetches)
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        self.surface.texel_over(hit, beam, filter)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

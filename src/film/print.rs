@@ -1,0 +1,123 @@
+//! Pictures as their files hold them.
+
+use std::io::{self, Write};
+
+use rayon::prelude::*;
+
+use super::{Film, Format, Notes, Rounding, pfm, png, ppm};
+use crate::math::Rgb;
+
+/// A picture in the numbers of a file format. They take less room than those of a [`Film`], so what
+/// is drawn only to be written need not be kept in full.
+#[derive(Debug)]
+pub struct Print {
+    width: usize,
+    height: usize,
+    format: Format,
+    rounding: Rounding,
+    /// Row by row from the top.
+    bytes: Vec<u8>,
+    /// For each row the columns with an infinite or not-a-number channel.
+    odd: Vec<Vec<usize>>,
+}
+
+/// A row of a print.
+#[derive(Debug)]
+pub struct PrintRow<'a> {
+    format: Format,
+    rounding: Rounding,
+    bytes: &'a mut [u8],
+    odd: &'a mut Vec<usize>,
+}
+
+impl Print {
+    /// A picture of this width and height, black in every format; `None` if there is no memory for
+    /// it.
+    #[must_use]
+    pub fn new([width, height]: [usize; 2], format: Format, rounding: Rounding) -> Option<Self> {
+        let size = width
+            .checked_mul(height)?
+            .checked_mul(format.pixel_size())?;
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact(size).ok()?;
+        bytes.resize(size, 0);
+        Some(Self {
+            width,
+            height,
+            format,
+            rounding,
+            bytes,
+            odd: vec![Vec::new(); height],
+        })
+    }
+
+    /// The print of a film; `None` if there is no memory for it.
+    #[must_use]
+    pub fn of(film: &Film, format: Format, rounding: Rounding) -> Option<Self> {
+        let mut print = Self::new([film.width(), film.height()], format, rounding)?;
+        let rows = film.pixels().par_chunks(film.width());
+        print.rows().zip(rows).for_each(|(mut row, colors)| {
+            row.expose(colors);
+        });
+        Some(print)
+    }
+
+    /// The width in pixels.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The height in pixels.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// The numbers of the format, row by row from the top.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The rows from the top.
+    pub fn rows(&mut self) -> impl IndexedParallelIterator<Item = PrintRow<'_>> {
+        let (format, rounding) = (self.format, self.rounding);
+        let rows = self.bytes.par_chunks_mut(self.width * format.pixel_size());
+        rows.zip(&mut self.odd).map(move |(bytes, odd)| PrintRow {
+            format,
+            rounding,
+            bytes,
+            odd,
+        })
+    }
+
+    /// Column and row of every pixel that got an infinite or not-a-number channel.
+    pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
+        let rows = self.odd.iter().enumerate();
+        rows.flat_map(|(row, odd)| odd.iter().map(move |column| (*column, row)))
+    }
+
+    /// Writes the picture's file.
+    ///
+    /// # Errors
+    /// Whatever the writer fails with.
+    pub fn write(&self, out: &mut dyn Write, notes: &Notes) -> io::Result<()> {
+        match self.format {
+            Format::Png8 => png::write(self, out, ::png::BitDepth::Eight, notes),
+            Format::Png16 => png::write(self, out, ::png::BitDepth::Sixteen, notes),
+            Format::Ppm => ppm::write(self, out),
+            Format::Pfm => pfm::write(self, out),
+        }
+    }
+}
+
+impl PrintRow<'_> {
+    /// Gives the row's pixels these colours, from the left.
+    pub fn expose(&mut self, colors: &[Rgb]) {
+        let colored = colors.iter().enumerate();
+        let odd = colored.filter(|(_, color)| !color.is_finite());
+        self.odd.extend(odd.map(|(column, _)| column));
+        self.format.store(colors, self.rounding, self.bytes);
+    }
+}
