@@ -12,7 +12,7 @@ pub use window::Window;
 
 use glam::DVec3;
 
-use crate::math::{Flat, Limits, Point, Ray, direction};
+use crate::math::{Beam, Flat, Limits, Point, Ray, direction};
 
 /// A viewpoint and the window that it looks through, for a picture of a certain size.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,12 +43,27 @@ impl Camera {
     /// lower-left one.
     #[must_use]
     pub fn ray(&self, x: f64, y: f64) -> Ray<'static> {
+        Ray::new(Point::exact(self.viewpoint), direction(self.way(x, y)))
+    }
+
+    /// The rays around that one through a square of this side in pixels.
+    #[must_use]
+    pub fn beam(&self, x: f64, y: f64, side: f64) -> Beam {
+        let steps = [self.right / self.span[0], self.up / self.span[1]];
+        let way = self.way(x, y);
+        Beam::new(
+            Point::exact(self.viewpoint),
+            way,
+            steps.map(|step| step * side),
+        )
+    }
+
+    /// From the viewpoint to a place in the window.
+    #[inline(always)]
+    fn way(&self, x: f64, y: f64) -> DVec3 {
         let across = self.right * ((x + self.inset) / self.span[0]);
         let upward = self.up * ((y + self.inset) / self.span[1]);
-        Ray::new(
-            Point::exact(self.viewpoint),
-            direction(self.lower_left + across + upward),
-        )
+        self.lower_left + across + upward
     }
 
     /// The distances at which a ray can meet a surface.

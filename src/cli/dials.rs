@@ -7,6 +7,7 @@ use crate::camera::Pattern;
 use crate::film::Rounding;
 use crate::math::Numerics;
 use crate::scene::Setting;
+use crate::texture::Filter;
 
 /// Settings of the `image` node.
 #[derive(Debug, Clone, Args)]
@@ -27,6 +28,9 @@ pub(super) struct Dials {
     /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
     #[arg(long, value_name = "WORD", value_parser = word("numerics", &Numerics::WORDS))]
     numerics: Option<Setting>,
+    /// What is seen of a texture in a pixel: the texel in its middle, or more.
+    #[arg(long, value_name = "WORD", value_parser = word("texture-filter", &Filter::WORDS))]
+    texture_filter: Option<Setting>,
 }
 
 impl Dials {
@@ -38,6 +42,7 @@ impl Dials {
             &self.cut_off,
             &self.quantize,
             &self.numerics,
+            &self.texture_filter,
         ];
         all.into_iter().flatten().cloned().collect()
     }

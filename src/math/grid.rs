@@ -37,6 +37,12 @@ impl Grid {
         }
     }
 
+    /// The distance between two lines, rounded.
+    #[must_use]
+    pub fn pitch(&self) -> f64 {
+        self.pitch
+    }
+
     /// The number of cells that a double can count; of places beyond, no cell is known.
     pub const MOST_CELLS: f64 = 9_007_199_254_740_992.0; // 2^53
 

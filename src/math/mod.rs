@@ -3,12 +3,14 @@
 //! The one scalar of the crate is `f64`; vectors are `glam`'s [`glam::DVec3`].
 
 pub(crate) mod band;
+mod beam;
 mod blueprint;
 mod bounds;
 mod crossing;
 mod decisions;
 pub mod exact;
 mod flat;
+mod footprint;
 pub mod form_factor;
 mod frame;
 mod grid;
@@ -25,11 +27,13 @@ mod side;
 mod vector;
 
 pub use band::UNIT;
+pub use beam::Beam;
 pub use blueprint::{Blueprint, Border};
 pub use bounds::Bounds;
 pub use crossing::{Crossing, Grazing};
 pub use decisions::Decisions;
 pub use flat::Flat;
+pub use footprint::{Footprint, Spread};
 pub use frame::{ExactFrame, Frame};
 pub use grid::Grid;
 pub use limits::Limits;

@@ -36,6 +36,15 @@ impl Point {
         (self.anchor - other) + self.offset
     }
 
+    /// The same point, as an offset from another scene point.
+    #[must_use]
+    pub fn about(&self, anchor: DVec3) -> Self {
+        Self {
+            anchor,
+            offset: self.from(anchor),
+        }
+    }
+
     /// The vector to this point from another.
     #[must_use]
     pub fn way_from(&self, other: &Self) -> DVec3 {

@@ -157,7 +157,8 @@ impl EffectRow {
                 | Effect::Glints
                 | Effect::SpotCones
                 | Effect::Projectors
-                | Effect::Textures => None,
+                | Effect::Textures
+                | Effect::TextureFilter => None,
             },
             effect: decision.effect,
             on: decision.on,

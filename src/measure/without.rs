@@ -8,7 +8,7 @@ use crate::plan::Effect;
 use crate::read::{Options, read_bytes};
 use crate::scene::Scene;
 use crate::surface::{FinitePlane, TexturePlane};
-use crate::texture::Texture;
+use crate::texture::{Filter, Texture};
 
 /// A scene with one effect switched off, by what its user could have written: the scene is
 /// described, its nodes are changed, and their text is read.
@@ -62,7 +62,10 @@ fn off(node: Node, effect: Effect) -> Node {
             let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
             without_attribute(plane, "texture")
         }
-        Effect::Antialiasing => with_one_sample(node),
+        Effect::TextureFilter => {
+            with_property(node, "texture-filter", Filter::Nearest.word().into())
+        }
+        Effect::Antialiasing => with_property(node, "samples", Value::Number(1.0)),
     }
 }
 
@@ -103,10 +106,11 @@ fn without_attribute(mut node: Node, word: &str) -> Node {
     node
 }
 
-fn with_one_sample(mut node: Node) -> Node {
+/// With a property set to a value, if it is given.
+fn with_property(mut node: Node, word: &str, value: Value) -> Node {
     let properties = node.properties.iter_mut();
-    for samples in properties.filter(|entry| entry.attribute.word == "samples") {
-        samples.value = Some(Value::Number(1.0));
+    for property in properties.filter(|entry| entry.attribute.word == word) {
+        property.value = Some(value.clone());
     }
     node
 }

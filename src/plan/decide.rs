@@ -5,6 +5,7 @@ use crate::camera::Pattern;
 use crate::light::{Beam, Light};
 use crate::scene::Picture;
 use crate::surface::Surface;
+use crate::texture::Filter;
 
 /// Whether each effect is simulated, and why.
 pub(super) fn all(plan: &Plan<'_>) -> Vec<Decision> {
@@ -46,6 +47,7 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
             ["wears an image", "wear an image"],
             "`texture`",
         ),
+        Effect::TextureFilter => texture_filter(plan),
         Effect::Antialiasing => antialiasing(plan),
     }
 }
@@ -103,6 +105,20 @@ fn glints(plan: &Plan<'_>) -> Decision {
         .into_iter()
         .map(|(_, surface)| Cause::of_surface(*surface));
     Decision::new(Effect::Glints, why, causes.collect())
+}
+
+fn texture_filter(plan: &Plan<'_>) -> Decision {
+    let filter = plan.scene.picture.texture_filter;
+    if filter == Filter::Nearest {
+        let why = "each pixel shows the texel in its middle".to_owned();
+        return Decision::new(Effect::TextureFilter, why, Vec::new());
+    }
+    let textures = decide(plan, Effect::Textures);
+    let why = match textures.on {
+        true => format!("`texture-filter` asks for {:?}", filter.word()),
+        false => textures.why,
+    };
+    Decision::new(Effect::TextureFilter, why, textures.causes)
 }
 
 fn antialiasing(plan: &Plan<'_>) -> Decision {

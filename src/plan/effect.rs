@@ -28,13 +28,15 @@ pub enum Effect {
     Projectors,
     /// Images on surfaces.
     Textures,
+    /// More of an image in a pixel than one texel.
+    TextureFilter,
     /// Several rays through each pixel.
     Antialiasing,
 }
 
 impl Effect {
     /// All of them, in the order in which they are explained.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Shadows,
         Self::SoftShadows,
         Self::Mirrors,
@@ -44,6 +46,7 @@ impl Effect {
         Self::SpotCones,
         Self::Projectors,
         Self::Textures,
+        Self::TextureFilter,
         Self::Antialiasing,
     ];
 
@@ -60,6 +63,7 @@ impl Effect {
             Self::SpotCones => "spot cones",
             Self::Projectors => "projectors",
             Self::Textures => "textures",
+            Self::TextureFilter => "texture filter",
             Self::Antialiasing => "antialiasing",
         }
     }

@@ -17,6 +17,7 @@ use crate::camera::Camera;
 use crate::language::Refusal;
 use crate::scene::{Picture, Scene};
 use crate::surface::Surface;
+use crate::texture::Filter;
 
 /// A scene made ready for tracing: what will be simulated of it.
 #[derive(Debug)]
@@ -42,6 +43,9 @@ pub struct Plan<'a> {
     pub unlit_by_lamp: Vec<Vec<Option<Unlit>>>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
+    /// How textures are looked at, if beams are followed for it; `None` if the texel that a ray meets
+    /// is all that is wanted.
+    pub filter: Option<Filter>,
     /// Whether anything is left out.
     pub scope: Scope,
 }
@@ -127,6 +131,7 @@ impl<'a> Plan<'a> {
             unlit,
             unlit_by_lamp,
             tail: Tail::new(scene),
+            filter: filter(scene, scope),
             scope,
         })
     }
@@ -143,6 +148,15 @@ impl<'a> Plan<'a> {
     pub fn decisions(&self) -> Vec<Decision> {
         decide::all(self)
     }
+}
+
+/// The filter of a scene whose textures it makes a difference to.
+fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
+    let filter = scene.picture.texture_filter;
+    let mut surfaces = scene.surfaces.iter();
+    let called_for =
+        filter != Filter::Nearest && surfaces.any(|surface| surface.texture().is_some());
+    (called_for || scope == Scope::Everything).then_some(filter)
 }
 
 /// Whether any ray can meet a surface, for each of them: rays from the eye can where the camera

@@ -1,5 +1,6 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod beams;
 mod certificate;
 mod errors;
 mod lamps;

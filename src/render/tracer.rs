@@ -1,7 +1,7 @@
 //! The colour along one ray.
 
 use crate::accel::Entry;
-use crate::math::{Ray, Rgb};
+use crate::math::{Beam, Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
@@ -33,6 +33,8 @@ struct Path<'a> {
     errors: Errors,
     /// What tells it from other rays from the eye.
     seed: Seed,
+    /// The rays around it, if a filter asks for them.
+    beam: Option<&'a Beam>,
 }
 
 /// What is left for the rays that one ray from the eye causes.
@@ -91,12 +93,14 @@ impl<'a> Tracer<'a> {
             rays: MOST_BOUNCES,
             light: plan.scene.picture.cut_off,
         };
+        let beam = plan.filter.map(|_| self.beam(x, y));
         let path = Path {
             travelled: 0.0,
             weight: 1.0,
             media: Media::Air,
             errors: Errors::default(),
             seed,
+            beam: beam.as_ref(),
         };
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
@@ -122,16 +126,20 @@ impl<'a> Tracer<'a> {
     /// The colour that comes back along a ray from what it met.
     fn color_of(
         &self,
-        met: Option<(&Entry<'a>, Hit)>,
+        mut met: Option<(&Entry<'a>, Hit)>,
         ray: &Ray,
         path: &Path,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Some((entry, hit)) = &met else {
+        let Some((entry, hit)) = &mut met else {
             probe.came_back(Rgb::BLACK);
             return Rgb::BLACK;
         };
+        if let Some(beam) = path.beam {
+            hit.texel = self.texel_over(entry, hit, beam);
+        }
+        let hit = &*hit;
         let follows_errors = probe.follows_errors();
         let errors = if follows_errors {
             path.errors.at(ray, hit)
@@ -169,6 +177,9 @@ impl<'a> Tracer<'a> {
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = everything && path.weight > 0.0;
         let follow = |share: Rgb, (dir, media, turn), kind, budget: &mut _, probe: &mut _| {
+            let beam = path
+                .beam
+                .map(|beam| self.onward(beam, entry, (ray, hit), (kind, dir)));
             let path = Path {
                 travelled,
                 weight: path.weight * share.largest(),
@@ -179,6 +190,7 @@ impl<'a> Tracer<'a> {
                     errors
                 },
                 seed: path.seed.next(),
+                beam: beam.as_ref(),
             };
             let uncalled = path.weight == 0.0 && everything;
             let worth = self.is_worth_following(&path, divisor, budget);

@@ -5,6 +5,7 @@ use crate::camera::Pattern;
 use crate::film::Rounding;
 use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
 use crate::math::Numerics;
+use crate::texture::Filter;
 
 /// What the scene says about its picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +25,8 @@ pub struct Picture {
     pub cut_off: f64,
     /// What decides where rays meet surfaces.
     pub numerics: Numerics,
+    /// What is seen of a texture in a pixel.
+    pub texture_filter: Filter,
 }
 
 impl Picture {
@@ -82,6 +85,12 @@ impl Picture {
                 "what decides where rays meet surfaces; `classic` is the chapter's own algorithm",
             )
             .or(Default::Word("robust")),
+            Attribute::new(
+                "texture-filter",
+                Takes::Word(&Filter::WORDS),
+                "what is seen of a texture in a pixel: the texel in its middle, or more",
+            )
+            .or(Default::Word("nearest")),
         ],
         attributes: &[],
     };
@@ -156,6 +165,7 @@ impl Picture {
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
+            texture_filter: Filter::from_word(word("texture-filter").text()).unwrap_or_default(),
         }
     }
 
@@ -169,6 +179,7 @@ impl Picture {
             .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())
+            .with_property("texture-filter", self.texture_filter.word())
     }
 }
 

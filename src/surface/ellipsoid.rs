@@ -20,8 +20,8 @@ use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::exact::{Distance, Exact, ExactVector};
-use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
-use crate::texture::{Texture, TextureMap};
+use crate::math::{Beam, Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
+use crate::texture::{Filter, Texture, TextureMap};
 
 /// A sphere stretched along the world's axes.
 #[derive(Debug, Clone)]
@@ -268,5 +268,16 @@ impl Surface for Ellipsoid {
         let on_sphere = direction(self.on_unit_sphere(&hit.point));
         let texel = globe::texel(image, on_sphere);
         Hit { texel, ..*hit }
+    }
+
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        let Some(image) = &self.image else {
+            return hit.texel;
+        };
+        let steps = beam.steps_at(&hit.point, hit.normal);
+        let steps = steps.map(|step| step / self.axes);
+        let on_sphere = direction(self.on_unit_sphere(&hit.point));
+        let seen = (filter, hit.texel);
+        globe::texel_over(image, seen, on_sphere, steps)
     }
 }

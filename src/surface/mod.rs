@@ -16,8 +16,8 @@ use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
-use crate::texture::Texture;
+use crate::math::{Beam, Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::texture::{Filter, Texture};
 
 pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
@@ -149,6 +149,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
     fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
         *hit
+    }
+
+    /// The colour of the surface's texture in what a beam covers of it around a settled hit.
+    fn texel_over(&self, hit: &Hit, _beam: &Beam, _filter: Filter) -> Rgb {
+        hit.texel
     }
 
     /// The ambient reflectivity at a hit.

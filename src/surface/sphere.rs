@@ -20,8 +20,8 @@ use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
 use crate::math::band::UNDERFLOW;
 use crate::math::exact::{Distance, Exact, ExactVector, Sign};
-use crate::math::{Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
-use crate::texture::{Texture, TextureMap};
+use crate::math::{Beam, Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
+use crate::texture::{Filter, Texture, TextureMap};
 
 /// A sphere, lit from outside, and seen from outside unless its material has an index of refraction.
 #[derive(Debug, Clone)]
@@ -239,5 +239,15 @@ impl Surface for Sphere {
         let image = self.image.as_ref();
         let texel = image.map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal));
         Hit { texel, ..*hit }
+    }
+
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        let Some(image) = &self.image else {
+            return hit.texel;
+        };
+        let steps = beam.steps_at(&hit.point, hit.normal);
+        let steps = steps.map(|step| step / self.radius);
+        let seen = (filter, hit.texel);
+        globe::texel_over(image, seen, hit.normal, steps)
     }
 }

@@ -18,8 +18,8 @@ use glam::DVec3;
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Segment, Side, Span};
-use crate::texture::{Texture, TextureMap, Wrap};
+use crate::math::{Beam, Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
+use crate::texture::{Filter, Texture, TextureMap, Wrap};
 
 /// A finite plane that wears an image: the chapter's `texplane_t`.
 #[derive(Debug, Clone)]
@@ -165,5 +165,14 @@ impl Surface for TexturePlane {
         // The offset has the same roundings as the distance, and half as many again.
         let (uv, texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
         Hit { uv, texel, ..*hit }
+    }
+
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        let Rectangle {
+            flat, frame, size, ..
+        } = self.plane.rectangle();
+        let footprint = beam.on(flat.point, [frame.x, frame.y], flat.normal);
+        let seen = (&footprint, *size);
+        self.image.over(filter, hit.texel, seen)
     }
 }

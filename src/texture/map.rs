@@ -5,9 +5,13 @@ use std::sync::Arc;
 use dashu_ratio::RBig;
 use glam::DVec2;
 
-use super::{Texture, Wrap};
+use super::anisotropic::anisotropic;
+use super::area;
+use super::bilinear::bilinear;
+use super::pyramid::longer_step;
+use super::{Filter, Texture, Wrap};
 use crate::math::exact::decimal;
-use crate::math::{Grid, Rgb};
+use crate::math::{Footprint, Grid, Rgb, Spread};
 
 /// A texture laid over a rectangle, upright, with its lower-left corner at the rectangle's.
 #[derive(Debug, Clone)]
@@ -76,6 +80,77 @@ impl TextureMap {
             y.settled(offset.y, doubt, || along(1)),
         );
         (offset, self.at(offset))
+    }
+
+    /// The colour of what a pixel covers of a rectangle of this size that wears the texture, by any
+    /// filter; `nearest` is the texel in its middle.
+    #[must_use]
+    pub fn over(
+        &self,
+        filter: Filter,
+        nearest: Rgb,
+        (footprint, size): (&Footprint, DVec2),
+    ) -> Rgb {
+        let texel = self.texel_size();
+        if filter == Filter::Exact {
+            let footprint = footprint.over(texel);
+            return self.mean_over(nearest, &footprint, size / texel);
+        }
+        let spread = self.in_texels(footprint.spread());
+        self.around(filter, nearest, &spread, [self.wrap; 2])
+    }
+
+    /// The mean over what a pixel covers of a rectangle, in texels. Of one texel that is its colour, and if
+    /// nothing is covered, the texel in the middle.
+    fn mean_over(&self, nearest: Rgb, footprint: &Footprint, size: DVec2) -> Rgb {
+        // Out there no double says which texels are covered.
+        if size.max_element() >= Grid::MOST_CELLS / 1024.0 {
+            let spread = footprint.spread();
+            return self.around(Filter::Anisotropic, nearest, &spread, [self.wrap; 2]);
+        }
+        let sums = self.texture.sums();
+        area::mean(sums, footprint, size).unwrap_or(nearest)
+    }
+
+    /// The colour around a place in texels by a filter that looks at a footprint's middle and its
+    /// steps; where the whole footprint would have to be known, along its longer axis.
+    #[must_use]
+    pub fn around(&self, filter: Filter, nearest: Rgb, spread: &Spread, wraps: [Wrap; 2]) -> Rgb {
+        let texture = &*self.texture;
+        // Out there no double says where a texel's middle is.
+        let place = spread.place;
+        let reaches = place.abs().max_element() < Grid::MOST_CELLS / 4.0;
+        if filter != Filter::Nearest && !reaches {
+            return texture.mean();
+        }
+        match filter {
+            Filter::Nearest => nearest,
+            Filter::Bilinear => {
+                let sides = [texture.texels.width, texture.texels.height];
+                bilinear(place, sides, wraps, |column, row| {
+                    texture.from_bottom(column, row)
+                })
+            }
+            Filter::Mipmap => {
+                let size = longer_step(spread);
+                texture.pyramid().at(texture, place, size, wraps)
+            }
+            Filter::Anisotropic | Filter::Exact => {
+                anisotropic(texture.pyramid(), texture, spread, wraps)
+            }
+        }
+    }
+
+    /// A footprint in world units, in texels.
+    #[must_use]
+    pub fn in_texels(&self, spread: Spread) -> Spread {
+        spread.over(self.texel_size())
+    }
+
+    /// The world size of a texel.
+    fn texel_size(&self) -> DVec2 {
+        let [x, y] = &self.grids;
+        DVec2::new(x.pitch(), y.pitch())
     }
 
     /// The colour of a texel counted from the lower-left one.

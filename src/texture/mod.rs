@@ -1,20 +1,31 @@
 //! Images laid over surfaces.
 
+mod anisotropic;
+mod area;
+mod bilinear;
 mod decode;
 mod fetches;
+mod filter;
 mod map;
 mod pnm;
+mod polygon;
+mod pyramid;
+mod sums;
 mod wrap;
 
 pub use decode::{DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, check, decode};
 pub use fetches::fetched_by_this_thread;
+pub use filter::Filter;
 pub use map::TextureMap;
 pub use wrap::Wrap;
 
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes};
 use crate::math::Rgb;
+use pyramid::Pyramid;
+use sums::Sums;
 
 /// The chapter's `texture_t`: the texels of one image, and how to look one up.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,9 +39,14 @@ pub struct Texture {
     /// The texels.
     pub texels: Texels,
     divisor: f64,
+    /// What a channel is divided by.
+    unit: f64,
     /// The intensity of every value that a channel can have.
     intensities: Vec<f64>,
     mean: Rgb,
+    /// Made when a filter first asks for it.
+    pyramid: OnceLock<Pyramid>,
+    sums: OnceLock<Sums>,
 }
 
 /// The texels of an image, row by row from the top.
@@ -88,8 +104,11 @@ impl Texture {
             path,
             texels,
             divisor,
+            unit,
             intensities,
             mean,
+            pyramid: OnceLock::new(),
+            sums: OnceLock::new(),
         }
     }
 
@@ -101,9 +120,28 @@ impl Texture {
     #[inline]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
         fetches::note(1);
+        self.color(column, row)
+    }
+
+    fn color(&self, column: usize, row: usize) -> Rgb {
         let [r, g, b] = self.texels.channels[row * self.texels.width + column];
         let intensity = |channel| self.intensities[usize::from(channel)];
         Rgb::new(intensity(r), intensity(g), intensity(b))
+    }
+
+    /// The same as [`from_bottom`](Self::from_bottom), for what is made once and no picture's work.
+    fn uncounted(&self, column: usize, row: usize) -> Rgb {
+        self.color(column, self.texels.height - 1 - row)
+    }
+
+    /// The colour of a texel; column from the left, row from the bottom.
+    fn from_bottom(&self, column: usize, row: usize) -> Rgb {
+        // Images are stored from the top.
+        self.texel(column, self.texels.height - 1 - row)
+    }
+
+    fn pyramid(&self) -> &Pyramid {
+        self.pyramid.get_or_init(|| Pyramid::new(self))
     }
 
     /// The mean colour of all texels.

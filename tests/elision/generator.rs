@@ -68,7 +68,13 @@ impl Maker {
         let cut_off = self
             .random
             .pick(&["", "", " cut-off=0.05", " cut-off=0.00001"]);
-        self.line(&format!("image 20 15{samples}{cut_off}"));
+        let filter = self.random.pick(&[
+            "",
+            " texture-filter=\"exact\"",
+            " texture-filter=\"mipmap\"",
+            " texture-filter=\"anisotropic\"",
+        ]);
+        self.line(&format!("image 20 15{samples}{cut_off}{filter}"));
         if self.random.once_in(3) {
             let [x, y] = [(); 2].map(|()| self.number(0.0, 4.0));
             let z = self.size(6.0);

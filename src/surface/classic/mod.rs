@@ -25,7 +25,8 @@ use glam::DVec3;
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
 use crate::language::Node;
-use crate::math::{Bounds, Numerics, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Beam, Bounds, Numerics, Ray, Rgb, Segment, Side, Span};
+use crate::texture::Filter;
 use other::Other;
 use paint::Paint;
 use solid::Solid;
@@ -82,6 +83,8 @@ struct Classic<'a, T, S> {
     common: &'a Common,
     solid: S,
     paint: Paint<'a, T>,
+    /// The surface's own point.
+    anchor: DVec3,
 }
 
 impl<'a, T: Scalar, S: Solid<T> + 'a> Classic<'a, T, S> {
@@ -91,16 +94,14 @@ impl<'a, T: Scalar, S: Solid<T> + 'a> Classic<'a, T, S> {
             common: surface.common(),
             solid,
             paint: Paint::of(&anatomy.cover, &anatomy.shape),
+            anchor: anatomy.shape.anchor(),
         })
     }
 }
 
 /// A hit as a surface of its own numerics expects it: as an offset from the surface's own point.
 fn anchored(hit: &Hit, anchor: DVec3) -> Hit {
-    let point = Point {
-        anchor,
-        offset: hit.point.from(anchor),
-    };
+    let point = hit.point.about(anchor);
     Hit { point, ..*hit }
 }
 
@@ -135,6 +136,11 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
             paint => paint.texel(hit),
         };
         Hit { texel, ..*hit }
+    }
+
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        let own = anchored(hit, self.anchor);
+        self.surface.texel_over(&own, beam, filter)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

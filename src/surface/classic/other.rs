@@ -4,8 +4,9 @@ use std::marker::PhantomData;
 
 use super::Scalar;
 use crate::language::Node;
-use crate::math::{Bounds, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Beam, Bounds, Ray, Rgb, Segment, Side, Span};
 use crate::surface::{Common, Hit, Surface};
+use crate::texture::Filter;
 
 /// A surface that keeps its own way to find hits; only the offset is the classic one.
 #[derive(Debug)]
@@ -50,6 +51,10 @@ impl<T: Scalar> Surface for Other<'_, T> {
 
     fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
         self.surface.settle(hit, ray)
+    }
+
+    fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
+        self.surface.texel_over(hit, beam, filter)
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::*;
 use crate::material::Material;
-use crate::math::{direction, unit};
+use crate::math::{Point, direction, unit};
 use crate::surface::{
     Ellipsoid, FinitePlane, Plane, ProceduralPlane, Shader, Sphere, TileStart, TiledPlane, Triangle,
 };
