@@ -105,8 +105,12 @@ fn without_attribute(mut node: Node, word: &str) -> Node {
 
 fn with_one_sample(mut node: Node) -> Node {
     let properties = node.properties.iter_mut();
-    for samples in properties.filter(|entry| entry.attribute.word == "samples") {
-        samples.value = Some(Value::Number(1.0));
+    for property in properties {
+        match property.attribute.word {
+            "samples" => property.value = Some(Value::Number(1.0)),
+            "max-error" => property.value = Some(Value::Number(0.0)),
+            _ => {}
+        }
     }
     node
 }
