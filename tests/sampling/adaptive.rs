@@ -63,7 +63,7 @@ fn the_target_is_met_with_fewer_rays_than_equally_many_everywhere_would_take() {
 }
 
 /// Scenes of edges, shadows, images, mirrors and beams.
-const SCENES: [&str; 3] = ["saucers-textured", "two-cameras-look-at", "spotlights"];
+const SCENES: [&str; 3] = ["saucers-textured", "brick-box", "spotlights"];
 
 /// A white thread before a black wall, thinner than a pixel by far: no ray of four meets it in most
 /// pixels, and none of those around them.
