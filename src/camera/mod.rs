@@ -1,5 +1,6 @@
 //! From pixels to rays.
 
+mod image;
 mod pattern;
 mod places;
 mod view;
