@@ -74,7 +74,7 @@ fn cannot(error: &str) -> Refusal {
 fn heat(errors: &[f64], size: [usize; 2]) -> Result<Vec<u8>, png::EncodingError> {
     let palette = (0..=u8::MAX).flat_map(|index| {
         let place = f64::from(index) / 255.0 * 5.0;
-        let lower = (0..4)
+        let lower = (0..5)
             .rfind(|lower| f64::from(*lower) <= place)
             .unwrap_or(0);
         let part = place - f64::from(lower);

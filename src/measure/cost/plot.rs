@@ -138,6 +138,9 @@ impl Cost {
             let place = [x(rung.cpu.median), y(rung.deviation.rmse)];
             let class = format!("dot {}", color(rung.dial));
             svg.dot(&class, number, place, &story(rung));
+        }
+        for rung in &self.rungs {
+            let place = [x(rung.cpu.median), y(rung.deviation.rmse)];
             let label = match rung.value {
                 Some(value) if rung.dial == Some("samples") => value.to_string(),
                 // What else is set is the same for all steps of a dial.
