@@ -1,5 +1,7 @@
 //! Where rays go through pixels, how many, and through which pixels.
 
+#[path = "sampling/adaptive.rs"]
+mod adaptive;
 #[path = "sampling/crop.rs"]
 mod crop;
 #[path = "sampling/patterns.rs"]

@@ -224,7 +224,7 @@ impl Casters<'_, '_> {
                 return Rgb::BLACK;
             }
             crossed.extend(support);
-            if let Some(hit) = surface.hits(&segment.ray, segment.span.span()) {
+            if let Some(hit) = surface.hits(&segment.ray, segment.limits().span()) {
                 let hit = surface.settle(&hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }

@@ -116,12 +116,12 @@ impl<'a> SurfaceList<'a> {
         let Some(tree) = &self.tree else {
             return nearest(self.entries.iter(), ray, span, tests);
         };
-        let mut search = Search::new(ray, span);
-        tree.walk(ray, span.span().max(), |index, _| {
-            search.ask(&self.entries[index], tests);
-            ControlFlow::Continue(search.span.max())
-        });
-        search.found()
+        found(ray, &span, |search| {
+            tree.walk(ray, search.span.max(), |index, _| {
+                search.ask(&self.entries[index], tests);
+                ControlFlow::Continue(search.span.max())
+            });
+        })
     }
 }
 
@@ -148,16 +148,37 @@ fn entries<'a>(
 }
 
 /// The one of some surfaces that a ray meets first.
-#[inline(always)]
+#[inline]
 fn nearest<'e, 'a>(
-    entries: impl Iterator<Item = &'e Entry<'a>>,
+    entries: impl Iterator<Item = &'e Entry<'a>> + Clone,
     ray: &Ray,
     span: Limits<'_>,
     tests: &mut u64,
 ) -> Option<(&'e Entry<'a>, Hit)> {
-    let mut search = Search::new(ray, span);
-    for entry in entries {
-        search.ask(entry, tests);
+    found(ray, &span, |search| {
+        for entry in entries.clone() {
+            search.ask(entry, tests);
+        }
+    })
+}
+
+/// What a search finds that asks the surfaces that may be met.
+///
+/// Only if what it finds is nearest does not count, though it nearly does, each of the others is asked
+/// for that, too.
+#[inline(always)]
+fn found<'e, 'a, 'r>(
+    ray: &'r Ray<'r>,
+    limits: &'r Limits<'r>,
+    mut ask: impl FnMut(&mut Search<'e, 'a, 'r>),
+) -> Option<(&'e Entry<'a>, Hit)> {
+    let mut search = Search::new(ray, limits.span());
+    ask(&mut search);
+    let (entry, hit) = search.best.as_ref()?;
+    if !limits.hold(hit.t, hit.error, entry.flat) {
+        search = Search::new(ray, limits.span());
+        search.limits = Some(limits);
+        ask(&mut search);
     }
     search.found()
 }
@@ -167,20 +188,20 @@ fn nearest<'e, 'a>(
 struct Search<'e, 'a, 'r> {
     ray: &'r Ray<'r>,
     left: Option<Support>,
-    /// What counts.
-    limits: Limits<'r>,
+    /// What each hit is asked for whether it counts.
+    limits: Option<&'r Limits<'r>>,
     /// The distances that still may.
     span: Span,
     best: Option<(&'e Entry<'a>, Hit)>,
 }
 
 impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
-    fn new(ray: &'r Ray<'r>, limits: Limits<'r>) -> Self {
+    fn new(ray: &'r Ray<'r>, span: Span) -> Self {
         Self {
             ray,
             left: ray.leaves(),
-            limits,
-            span: limits.span(),
+            limits: None,
+            span,
             best: None,
         }
     }
@@ -195,7 +216,9 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
         let Some(hit) = &met else {
             return;
         };
-        if !self.limits.hold(hit.t, hit.error, entry.flat) {
+        if let Some(limits) = self.limits
+            && !limits.hold(hit.t, hit.error, entry.flat)
+        {
             return;
         }
         if let Some((best, best_hit)) = &self.best

@@ -208,3 +208,69 @@ impl Item {
         bin.min(BINS - 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The deepest leaf of a tree of these points and the largest, once each point is found in one leaf.
+    fn deepest_and_largest(places: &[DVec3]) -> (usize, usize) {
+        let bounds = |place: &DVec3| Bounds {
+            min: *place,
+            max: *place,
+        };
+        let numbered = (0..).zip(places.iter().map(bounds));
+        let mut items: Vec<_> = numbered
+            .map(|(index, bounds)| Item { index, bounds })
+            .collect();
+        let nodes = nodes(&mut items);
+        let mut found = vec![false; places.len()];
+        let (mut deepest, mut largest) = (0, 0);
+        let mut waiting = vec![(0, 0)];
+        while let Some((node, depth)) = waiting.pop() {
+            match nodes[node as usize].content {
+                Content::Boxes(first) => {
+                    waiting.extend([(first, depth + 1), (first + 1, depth + 1)]);
+                }
+                Content::Surfaces(first, end) => {
+                    for item in &items[first as usize..end as usize] {
+                        assert!(!std::mem::replace(&mut found[item.index as usize], true));
+                    }
+                    deepest = deepest.max(depth);
+                    largest = largest.max((end - first) as usize);
+                }
+            }
+        }
+        assert!(found.into_iter().all(|found| found));
+        (deepest, largest)
+    }
+
+    const MANY: usize = 100_000;
+
+    /// So crowded towards the origin that every cut in bins takes off few points only.
+    fn crowded() -> impl Iterator<Item = DVec3> {
+        (0..MANY).map(|number| DVec3::splat(libm::exp2(count(number) / -100.0)))
+    }
+
+    #[test]
+    fn what_lies_in_one_place_is_one_leaf() {
+        let places = vec![DVec3::new(3.0, -2.0, 0.1); MANY];
+        assert_eq!(deepest_and_largest(&places), (0, MANY));
+    }
+
+    #[test]
+    fn no_crowd_makes_a_tree_deeper_than_a_walk_has_room_for() {
+        let places: Vec<_> = crowded().collect();
+        let (deepest, largest) = deepest_and_largest(&places);
+        assert!((HALVED + 10..=DEEPEST).contains(&deepest), "{deepest}");
+        assert!(largest <= MOST, "{largest}");
+    }
+
+    #[test]
+    fn a_pile_in_a_crowd_is_one_leaf_no_deeper_than_others() {
+        let places: Vec<_> = crowded().chain(vec![DVec3::ZERO; MANY]).collect();
+        let (deepest, largest) = deepest_and_largest(&places);
+        assert!((HALVED..=DEEPEST).contains(&deepest), "{deepest}");
+        assert!(largest <= MANY, "{largest}");
+    }
+}

@@ -1,5 +1,6 @@
 //! From pixels to rays.
 
+mod image;
 mod pattern;
 mod places;
 mod view;
@@ -78,10 +79,10 @@ impl Camera {
         }
     }
 
-    /// Whether it looks through the chapter's screen, before which nothing counts.
+    /// The plane of the chapter's screen, before which nothing counts, if it looks through one.
     #[must_use]
-    pub fn has_screen(&self) -> bool {
-        self.screen.is_some()
+    pub fn screen(&self) -> Option<&Flat> {
+        self.screen.as_ref()
     }
 
     /// The directions from the viewpoint through the window's corners.

@@ -19,6 +19,9 @@ pub(super) struct Dials {
     /// How several rays are spread over a pixel.
     #[arg(long, value_name = "WORD", value_parser = word("pattern", &Pattern::WORDS))]
     pattern: Option<Setting>,
+    /// Add rays to each pixel until its error is probably no larger, such as 2/255 of white.
+    #[arg(long, value_name = "E", value_parser = number("max-error"))]
+    max_error: Option<Setting>,
     /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
     #[arg(long, value_name = "X", value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
@@ -39,6 +42,7 @@ impl Dials {
         let all = [
             &self.samples,
             &self.pattern,
+            &self.max_error,
             &self.cut_off,
             &self.quantize,
             &self.numerics,

@@ -4,6 +4,7 @@ mod bug;
 mod certificate;
 mod check;
 mod convert;
+mod cost;
 mod dials;
 mod dump;
 mod explain;
@@ -80,6 +81,7 @@ enum Command {
     Render(Box<render::Options>),
     Check(check::Options),
     Explain(explain::Options),
+    Cost(Box<cost::Options>),
     Dump(dump::Options),
     Convert(convert::Options),
 }
@@ -150,6 +152,7 @@ fn run(command: &Command, messages: &Messages) -> Status {
         Command::Render(options) => render::run(options, messages),
         Command::Check(options) => check::run(options, messages),
         Command::Explain(options) => explain::run(options, messages),
+        Command::Cost(options) => cost::run(options, messages),
         Command::Dump(options) => dump::run(options, messages),
         Command::Convert(options) => convert::run(options, messages),
     }

@@ -66,7 +66,7 @@ pub(super) struct Options {
 }
 
 /// A width and a height from `800x600`.
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text
         .split_once(['x', 'X', '×'])
         .and_then(|(width, height)| {

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 pub(super) enum Status {
     /// Done.
     Done,
-    /// The answer is "no": `check` found errors.
+    /// The answer is "no": `check` found errors, or nothing that `cost` tried is good enough.
     No,
     /// The command line makes no sense.
     Usage,

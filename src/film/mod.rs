@@ -1,6 +1,7 @@
 //! Pixels in memory and on disk.
 
 mod format;
+mod load;
 mod pfm;
 mod png;
 mod ppm;

@@ -49,6 +49,38 @@ impl Region {
         })
     }
 
+    /// A pixel and those around it, of those that a picture of this width and height has.
+    #[must_use]
+    pub fn around([column, row]: [usize; 2], [width, height]: [u32; 2]) -> Self {
+        Self {
+            left: column,
+            top: row,
+            width: 1,
+            height: 1,
+        }
+        .grown_within([width, height])
+    }
+
+    /// It with the pixels around it, of those that a picture of this width and height has.
+    #[must_use]
+    pub fn grown_within(self, [width, height]: [u32; 2]) -> Self {
+        let [left, top, right, bottom] = self.corners();
+        let (first, last) = (left.saturating_sub(1), (right + 1).min(width as usize));
+        let (upper, lower) = (top.saturating_sub(1), (bottom + 1).min(height as usize));
+        Self {
+            left: first,
+            top: upper,
+            width: last - first,
+            height: lower - upper,
+        }
+    }
+
+    /// Column and row of each of its pixels, row by row.
+    pub fn places(self) -> impl Iterator<Item = [usize; 2]> {
+        let [left, top, right, bottom] = self.corners();
+        (top..bottom).flat_map(move |row| (left..right).map(move |column| [column, row]))
+    }
+
     /// The first column and row, and those behind the last: `0,0,80,60`.
     #[must_use]
     pub fn corners(&self) -> [usize; 4] {

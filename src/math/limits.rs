@@ -75,12 +75,6 @@ impl<'a> Limits<'a> {
         }
     }
 
-    /// Whether there is a plane that ends what counts.
-    #[must_use]
-    pub fn has_edge(&self) -> bool {
-        self.plane.is_some()
-    }
-
     /// The distances that may count.
     #[must_use]
     pub fn span(&self) -> Span {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Crossing, Departure, Flat, Limits, Point, Ray, direction};
+use super::{Crossing, Departure, Flat, Limits, Point, Ray, Span, direction};
 
 /// The straight way from a point on a surface to another point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -13,8 +13,8 @@ pub struct Segment<'a> {
     pub end: Point,
     /// The distance from start to end.
     pub length: f64,
-    /// The distances at which something can stand in the way.
-    pub span: Limits<'a>,
+    /// A plane across the z axis, above which nothing stands in the way.
+    pub screen: Option<&'a Flat>,
 }
 
 impl<'a> Segment<'a> {
@@ -41,7 +41,7 @@ impl<'a> Segment<'a> {
             ray: ray(direction(way)),
             end,
             length,
-            span: Limits::AHEAD,
+            screen: None,
         })
     }
 
@@ -62,10 +62,17 @@ impl<'a> Segment<'a> {
     #[must_use]
     #[inline]
     pub fn admits(&self, t: f64, error: impl FnOnce() -> f64, flat: Option<&Flat>) -> bool {
-        if !self.span.has_edge() {
-            return self.span.span().contains(t);
-        }
-        let error = error();
-        self.span.span().admits(t, error) && self.span.hold(t, error, flat)
+        let Some(screen) = self.screen else {
+            return Span::AHEAD.contains(t);
+        };
+        let (limits, error) = (Limits::below(screen, &self.ray), error());
+        limits.span().admits(t, error) && limits.hold(t, error, flat)
+    }
+
+    /// The distances at which something can stand in the way.
+    #[must_use]
+    pub fn limits(&self) -> Limits<'a> {
+        self.screen
+            .map_or(Limits::AHEAD, |screen| Limits::below(screen, &self.ray))
     }
 }

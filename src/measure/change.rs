@@ -45,7 +45,7 @@ impl Change {
 }
 
 /// An intensity as a code value that is not rounded.
-fn shown(intensity: f64) -> f64 {
+pub(super) fn shown(intensity: f64) -> f64 {
     LARGEST_CODE * intensity.clamp(0.0, 1.0)
 }
 

@@ -1,6 +1,8 @@
 //! How long something takes.
 
-use cpu_time::ThreadTime;
+use std::time::Instant;
+
+use cpu_time::{ProcessTime, ThreadTime};
 use serde::Serialize;
 
 /// What the same work took in several runs, in seconds.
@@ -46,6 +48,15 @@ pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let start = ThreadTime::now();
     let done = work();
     (start.elapsed().as_secs_f64(), done)
+}
+
+/// Does some work and tells how many seconds all processors together spent on it, in all threads of
+/// this process, and how many seconds went by.
+pub(super) fn timed_in_all_threads<T>(work: impl FnOnce() -> T) -> ([f64; 2], T) {
+    let (cpu, wall) = (ProcessTime::now(), Instant::now());
+    let done = work();
+    let seconds = [cpu.elapsed(), wall.elapsed()].map(|time| time.as_secs_f64());
+    (seconds, done)
 }
 
 fn median_of(mut values: Vec<f64>) -> f64 {

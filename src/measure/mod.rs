@@ -4,20 +4,29 @@ mod change;
 mod check;
 mod clock;
 mod coincident;
+mod cost;
+mod deviation;
 mod explain;
 mod light_row;
 mod light_tests;
 mod price_list;
 mod prices;
+mod similarity;
 mod transcript;
 mod without;
 
 pub use change::Change;
 pub use check::check;
 pub use clock::Timing;
+pub use cost::{
+    Best, Blame, Cost, DIALS, Dial, Doubt, Ladder, Law, Limit, Measured, Metric, Pictures,
+    Reference, Rung, Spot, Trade, Variation, cost, effects_of,
+};
+pub use deviation::Deviation;
 pub use explain::{EffectRow, Explanation, SurfaceRow, TextureRow, Thing, Work, explain};
 pub use light_row::{LightRow, NoShadow};
 pub use light_tests::LightTests;
 pub use prices::{Effort, Price, Prices, prices};
+pub use similarity::similarity;
 pub use transcript::{PixelStory, Step, transcript};
 pub use without::{round_trip, without};

@@ -4,13 +4,12 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;
 
 use super::clock::timed;
-use super::{Change, Timing, without};
+use super::{Change, Timing, effects_of, without};
 use crate::film::Film;
 use crate::language::Refusal;
-use crate::plan::{Effect, Plan, Scope};
+use crate::plan::{Effect, Scope};
 use crate::render::{Counts, STACK, observed};
 use crate::scene::Scene;
-use crate::surface::classic;
 
 /// What the effects of a scene cost.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -82,7 +81,7 @@ pub fn prices(
     runs: u32,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Prices, Refusal> {
-    let on = effects(scene)?;
+    let on = effects_of(scene)?;
     let scenes = on.iter().map(|effect| without(scene, *effect));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let lesser = scenes.iter().map(|scene| (scene, Scope::CalledFor));
@@ -107,7 +106,7 @@ pub fn prices(
     }
     let [whole, everything] = [&subjects[0], &subjects[1]].map(Subject::effort);
     let without = on.iter().zip(&subjects[2..]).map(|(effect, subject)| {
-        let still = effects(subject.scene)?;
+        let still = effects_of(subject.scene)?;
         let gone = |other: &Effect| other != effect && !still.contains(other);
         let effort = subject.effort();
         Ok(Price {
@@ -125,15 +124,6 @@ pub fn prices(
         everything,
         without,
     })
-}
-
-/// The effects that a scene calls for.
-fn effects(scene: &Scene) -> Result<Vec<Effect>, Refusal> {
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
-    let decisions = plan.decisions().into_iter();
-    let on = decisions.filter(|decision| decision.on);
-    Ok(on.map(|decision| decision.effect).collect())
 }
 
 /// A pool of one thread, so that what it does is done in the thread whose time is taken.

@@ -65,7 +65,10 @@ fn off(node: Node, effect: Effect) -> Node {
         Effect::TextureFilter => {
             with_property(node, "texture-filter", Filter::Nearest.word().into())
         }
-        Effect::Antialiasing => with_property(node, "samples", Value::Number(1.0)),
+        Effect::Antialiasing => {
+            let single = with_property(node, "samples", Value::Number(1.0));
+            with_property(single, "max-error", Value::Number(0.0))
+        }
     }
 }
 

@@ -123,10 +123,18 @@ fn texture_filter(plan: &Plan<'_>) -> Decision {
 
 fn antialiasing(plan: &Plan<'_>) -> Decision {
     let Picture {
-        samples, pattern, ..
+        samples,
+        pattern,
+        max_error,
+        ..
     } = plan.scene.picture;
-    let on = samples > 1;
+    let on = samples > 1 || max_error > 0.0;
     let why = match (on, pattern == Pattern::default()) {
+        _ if max_error > 0.0 => format!(
+            "`max-error` asks for as many rays, {} or more through each pixel, as its error takes to \
+             be about {max_error:.5} at most",
+            samples.next_power_of_two().max(Picture::FEWEST_ADAPTIVE),
+        ),
         (false, _) => "one ray goes through the centre of each pixel".to_owned(),
         (true, true) => format!("`samples` asks for {samples} rays through each pixel"),
         (true, false) => format!(

@@ -3,11 +3,13 @@
 mod beam;
 mod decide;
 mod effect;
+mod outlines;
 mod scope;
 mod tail;
 mod unlit;
 
 pub use effect::{Cause, Decision, Effect};
+pub use outlines::Outlines;
 pub use scope::Scope;
 pub use tail::Tail;
 pub use unlit::Unlit;
@@ -41,6 +43,8 @@ pub struct Plan<'a> {
     pub unlit: Vec<Vec<Option<Unlit>>>,
     /// The same for each lamp.
     pub unlit_by_lamp: Vec<Vec<Option<Unlit>>>,
+    /// Where the outlines of surfaces run through the picture; `None` if nobody asks.
+    pub outlines: Option<Outlines>,
     /// What a ray that is not followed could still have brought.
     pub tail: Tail,
     /// How textures are looked at, if beams are followed for it; `None` if the texel that a ray meets
@@ -119,6 +123,11 @@ impl<'a> Plan<'a> {
         for (view, unlit) in lamp_views.iter_mut().zip(&unlit_by_lamp) {
             view.retain(|surface| unlit[surface].is_none());
         }
+        let outlines = (scene.picture.max_error > 0.0).then(|| {
+            let surfaces = scene.surfaces.iter().map(|it| &**it);
+            let Picture { width, height, .. } = scene.picture;
+            Outlines::new(surfaces, &camera, [width, height])
+        });
         let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
@@ -128,6 +137,7 @@ impl<'a> Plan<'a> {
             lamp_views,
             surfaces,
             seen,
+            outlines,
             unlit,
             unlit_by_lamp,
             tail: Tail::new(scene),

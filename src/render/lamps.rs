@@ -88,7 +88,7 @@ impl Tracer<'_> {
         probe: &mut impl Probe,
     ) -> Rgb {
         let ray = Ray::leaving(lit.departure, lit.normal);
-        let casters = match view.between(entry, &ray, !self.plan.camera.has_screen()) {
+        let casters = match view.between(entry, &ray, self.plan.camera.screen().is_none()) {
             Between::Nothing => return Rgb::WHITE,
             Between::Wall => return Rgb::BLACK,
             Between::Some(casters) => casters,
@@ -121,7 +121,7 @@ impl Tracer<'_> {
         let Some(mut segment) = Segment::new(lit.departure, end) else {
             return Rgb::WHITE;
         };
-        segment.span = self.plan.camera.span(&segment.ray);
+        segment.screen = self.plan.camera.screen();
         probe.ray(RayKind::Lamp, Rgb::WHITE);
         let mut tests = 0;
         let passed = casters.transmittance(&segment, &mut tests);

@@ -1,5 +1,6 @@
 //! Scene to film: pixels in parallel, the colour along one ray.
 
+mod adaptive;
 mod beams;
 mod certificate;
 mod errors;
@@ -10,6 +11,7 @@ mod seed;
 mod shading;
 mod thread_work;
 mod tracer;
+mod watch;
 
 pub use certificate::Certificate;
 pub use errors::{Errors, Turn};
@@ -17,6 +19,7 @@ pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
 
+use adaptive::Adaptive;
 use seed::Seed;
 use std::iter::Sum;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -107,8 +110,11 @@ fn drawn_part<P: Probe + Default + Send + Sum>(
 ) -> Result<(Film, P), Refusal> {
     let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
     let painter = Painter::new(plan, part, progress);
-    let rows = film.pixels_mut().par_chunks_mut(part.width).enumerate();
-    let seen = rows.map(|(row, pixels)| painter.paint(row, pixels)).sum();
+    let together = part.width * painter.together;
+    let rows = film.pixels_mut().par_chunks_mut(together).enumerate();
+    let seen = rows
+        .map(|(number, pixels)| painter.paint(number * painter.together, pixels))
+        .sum();
     Ok((film, seen))
 }
 
@@ -130,11 +136,14 @@ pub fn printed_part<P: Probe + Default + Send + Sum>(
     let print = Print::new([part.width, part.height], format, scene.picture.rounding);
     let mut print = print.ok_or_else(|| no_memory(part))?;
     let painter = Painter::new(&plan, part, progress);
-    let rows = print.rows().enumerate();
-    let paper = || vec![Rgb::BLACK; part.width];
-    let seen = rows.map_init(paper, |pixels, (row, mut kept)| {
-        let seen = painter.paint(row, pixels);
-        kept.expose(pixels);
+    let rows = print.rows().chunks(painter.together).enumerate();
+    let paper = || vec![Rgb::BLACK; part.width * painter.together];
+    let seen = rows.map_init(paper, |pixels, (number, kept)| {
+        let pixels = &mut pixels[..part.width * kept.len()];
+        let seen = painter.paint(number * painter.together, pixels);
+        for (mut kept, pixels) in kept.into_iter().zip(pixels.chunks(part.width)) {
+            kept.expose(pixels);
+        }
         seen
     });
     let seen = seen.sum();
@@ -158,31 +167,50 @@ struct Painter<'a> {
     plan: &'a Plan<'a>,
     part: Region,
     progress: &'a (dyn Fn(usize) + Sync),
+    adaptive: Option<Adaptive<'a>>,
+    /// How many rows are drawn by one thread at once.
+    together: usize,
     /// The number of rows that are done.
     done: AtomicUsize,
 }
 
 impl<'a> Painter<'a> {
     fn new(plan: &'a Plan<'a>, part: Region, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        // Pixels look at those around them, so rows are best drawn together then.
+        const TOGETHER: usize = 16;
+        let adaptive = Adaptive::new(Tracer::new(plan), plan);
         Self {
             plan,
             part,
             progress,
+            adaptive,
+            together: if adaptive.is_some() { TOGETHER } else { 1 },
             done: AtomicUsize::new(0),
         }
     }
 
-    /// Gives the pixels of a row of the part their colours, and tells what was seen.
+    /// Gives the pixels of some rows of the part, from this one on, their colours, and tells what was
+    /// seen.
     fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
         let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
-        let Region { left, top, .. } = self.part;
+        let rows = Region {
+            top: self.part.top + row,
+            height: pixels.len() / self.part.width,
+            ..self.part
+        };
         let mut probe = P::default();
         let before = ThreadWork::until_now();
-        for (column, pixel) in pixels.iter_mut().enumerate() {
-            *pixel = pixel_color(tracer, scene, left + column, top + row, &mut probe);
+        match &self.adaptive {
+            Some(adaptive) => adaptive.draw(rows, pixels, &mut probe),
+            None => {
+                for ([column, row], pixel) in rows.places().zip(pixels) {
+                    *pixel = pixel_color(tracer, scene, column, row, &mut probe);
+                }
+            }
         }
         before.tell(&mut probe);
-        (self.progress)(self.done.fetch_add(1, Ordering::Relaxed) + 1);
+        let done = self.done.fetch_add(rows.height, Ordering::Relaxed);
+        (self.progress)(done + rows.height);
         probe
     }
 }
@@ -196,6 +224,9 @@ pub fn pixel_color(
     row: usize,
     probe: &mut impl Probe,
 ) -> Rgb {
+    if let Some(adaptive) = Adaptive::new(tracer, tracer.plan) {
+        return adaptive.color(column, row, probe);
+    }
     // The picture's rows are counted from the top, the camera's from the bottom.
     let from_bottom = scene.picture.height as usize - 1 - row;
     #[expect(

@@ -86,7 +86,7 @@ impl Tracer<'_> {
         }
         probe.ray(RayKind::Shadow, Rgb::WHITE);
         let segment = Segment {
-            span: self.plan.camera.span(&segment.ray),
+            screen: self.plan.camera.screen(),
             ..*segment
         };
         let mut tests = 0;

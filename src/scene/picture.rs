@@ -18,6 +18,8 @@ pub struct Picture {
     pub samples: u32,
     /// How they are spread over the pixel.
     pub pattern: Pattern,
+    /// The error that a pixel may probably have, in intensity; 0 if all pixels have as many rays.
+    pub max_error: f64,
     /// How intensities become code values.
     pub rounding: Rounding,
     /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed
@@ -36,6 +38,10 @@ impl Picture {
     pub const MOST_PIXELS: u64 = 1 << 27;
     /// The most rays through one pixel.
     pub const MOST_SAMPLES: u32 = 65_536;
+    /// The fewest rays through a pixel with `max-error`.
+    pub const FEWEST_ADAPTIVE: u32 = 4;
+    /// The most rays through a pixel with `max-error`, if `samples` does not ask for more.
+    pub const MOST_ADAPTIVE: u32 = 4096;
 
     /// The `image` node of the scene language.
     pub const SCHEMA: Schema = Schema {
@@ -66,6 +72,14 @@ impl Picture {
                  for one ray",
             )
             .or(Default::Word("stratified")),
+            Attribute::new(
+                "max-error",
+                Takes::Number(Range::Between(0.0, 1.0)),
+                "a target: rays are added to a pixel, in its Sobol sequence, until its error, in \
+                 intensity, is probably no larger; `samples` are then the fewest, four at least, and \
+                 4096 the most; 0 is none",
+            )
+            .or(Default::Number(0.0)),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
@@ -117,11 +131,21 @@ impl Picture {
     /// Whether the settings make sense together.
     ///
     /// # Errors
-    /// Refuses several rays through one place.
+    /// Refuses several rays through one place, and a pattern that cannot go on as long as it takes.
     pub fn check(&self) -> Result<(), Refusal> {
         let Self {
-            samples, pattern, ..
+            samples,
+            pattern,
+            max_error,
+            ..
         } = self;
+        if *max_error > 0.0 && ![Pattern::Stratified, Pattern::Sobol].contains(pattern) {
+            let word = pattern.word();
+            let reason = format!("with `max-error` rays are added, which {word:?} cannot do");
+            let advice = "ask for `pattern=\"sobol\"`, or for no `max-error`";
+            let expected = "expected \"sobol\", or no pattern, with `max-error`";
+            return Err(Refusal::new("pattern", reason, advice).expected(expected));
+        }
         if *pattern == Pattern::Center && *samples > 1 {
             let reason = format!("{samples} rays through the centre of a pixel are the same ray");
             let advice = "ask for `samples=1`, or for another pattern, such as `grid`";
@@ -162,6 +186,7 @@ impl Picture {
             height,
             samples: whole(number("samples")),
             pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
+            max_error: number("max-error"),
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
@@ -176,6 +201,7 @@ impl Picture {
             .value([f64::from(self.width), f64::from(self.height)])
             .with_property("samples", f64::from(self.samples))
             .with_property("pattern", self.pattern.word())
+            .with_property("max-error", self.max_error)
             .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())

@@ -28,8 +28,7 @@ impl Setting {
         })?;
         let value = match attribute.takes {
             Takes::Number(range) => {
-                let number = text.trim().parse().ok();
-                let number = number.filter(|number| range.contains(*number));
+                let number = number(text).filter(|number| range.contains(*number));
                 number.map(Value::Number)
             }
             Takes::Word(words) => words.contains(&text).then(|| Value::from(text)),
@@ -52,6 +51,15 @@ impl Setting {
     }
 }
 
+/// A number, or a fraction such as `2/255`.
+fn number(text: &str) -> Option<f64> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    match text.split_once('/') {
+        Some((above, below)) => Some(number(above)? / number(below)?),
+        None => number(text),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,7 +69,11 @@ mod tests {
         let setting = |word, text| Setting::new(word, text).map(|it| it.value);
         assert_eq!(setting("samples", "16"), Ok(Value::Number(16.0)));
         assert_eq!(setting("numerics", "classic"), Ok(Value::from("classic")));
+        let fraction = setting("max-error", "2/255");
+        assert_eq!(fraction, Ok(Value::Number(2.0 / 255.0)));
         for (word, text, expected) in [
+            ("max-error", "2/0", "expected a number from 0 to 1"),
+            ("max-error", "2/255/1", "expected a number from 0 to 1"),
             ("samples", "0", "expected a whole number from 1 to 65536"),
             ("samples", "2.5", "expected a whole number from 1 to 65536"),
             ("samples", "many", "expected a whole number from 1 to 65536"),

@@ -6,6 +6,8 @@ pub mod classic;
 mod common;
 mod globe;
 mod inside;
+mod lamp_form;
+mod lamp_light;
 mod weld;
 
 use std::fmt;
@@ -110,7 +112,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// that the segment's end is on.
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         // A light on the surface itself is not hidden by it.
-        let hit = self.hits(&segment.ray, segment.span.span());
+        let hit = self.hits(&segment.ray, segment.limits().span());
         hit.is_some_and(|hit| {
             hit.t < segment.length && segment.admits(hit.t, || hit.error, self.flat())
         })

@@ -138,3 +138,51 @@ fn a_strip_is_not_welded_to_itself() {
         run.stdout_text()
     );
 }
+
+#[test]
+fn what_nothing_bounds_is_said_to_be_unknown() {
+    let shell = Shell::new();
+    // Rays go round and round in the ball, near the angle of total reflection.
+    let ball = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/glass-ball.kdl");
+    let arguments = [
+        "render",
+        ball,
+        "--size",
+        "64x48",
+        "--certify",
+        "-o",
+        "ball.png",
+    ];
+    let run = shell.run(&arguments).ends_with(0);
+    let said = run.stdout_text();
+    let line = "  error after mirrors unknown: rounding may have led a ray anywhere\n";
+    assert!(said.contains(line), "{said}");
+    let run = shell
+        .run(&[&arguments[..], &["--json"]].concat())
+        .ends_with(0);
+    let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+    assert!(answer["certificate"]["largest_bounced_error"].is_null());
+    assert!(answer["certificate"]["largest_error"].is_f64());
+}
+
+/// A tiny pane that is round bends nothing, so it adds nothing to what is off behind it.
+#[test]
+fn a_pane_that_bends_nothing_leaves_errors_as_they_are() {
+    let shell = Shell::new();
+    shell.write(
+        "pane.kdl",
+        r#"image 9 7
+        camera { viewpoint 0 0 5; look-at 0 0 0 }
+        material "clear" { transparency 1 }
+        material "wall" { ambient 1 }
+        plane "wall" { material "wall"; point 0 0 -3; normal 0.1 0.2 1 }
+        sphere { material "clear"; center 0 0 0; radius 1e-6 }"#,
+    );
+    let run = shell
+        .run(&["render", "pane.kdl", "--certify", "--json"])
+        .ends_with(0);
+    let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+    let error = answer["certificate"]["largest_bounced_error"].as_f64();
+    let error = error.expect("a number");
+    assert!(error > 0.0 && error < 1e-12, "{error}");
+}

@@ -123,12 +123,9 @@ fn what_receives_no_shadows_gets_the_whole_lamp() {
     };
     let roof = "finite-plane { material \"chalk\"; point -9 3 9; normal 0 1 0; xdir 1 0 0; dimensions 18 18 }";
     let open = drawn(&scene("#true", "")).0;
-    assert_eq!(
-        super::bits(&drawn(&scene("#false", roof)).0),
-        super::bits(&open)
-    );
+    assert_eq!(bits(&drawn(&scene("#false", roof)).0), bits(&open));
     let dark = drawn(&scene("#true", roof));
-    assert!(super::bits(&dark.0).iter().all(|pixel| *pixel == [0; 3]));
+    assert!(bits(&dark.0).iter().all(|pixel| *pixel == [0; 3]));
     assert_eq!(
         dark.1.lamp_rays, 0,
         "what is hidden for certain is not asked"

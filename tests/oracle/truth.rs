@@ -126,7 +126,9 @@ impl Distance {
             Self::Root(parabola) => {
                 // Closer than this makes no difference to the share.
                 let fine = number(error) / RBig::from(1000);
-                let (mut low, mut high) = (RBig::ZERO, parabola.middle());
+                // If it is further away than this, that is seen as well.
+                let around = number(error) * RBig::from(2);
+                let (mut low, mut high) = (&t - &around, parabola.middle().min(&t + &around));
                 while &high - &low > fine {
                     let middle = (&low + &high) / RBig::from(2);
                     match parabola.compare_root(&middle) {

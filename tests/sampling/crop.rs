@@ -48,6 +48,7 @@ fn a_part_is_as_in_the_whole_for_every_dial() {
             &[("samples", "3"), ("pattern", "grid")],
             &[("samples", "2"), ("pattern", "random")],
             &[("numerics", "classic-f32"), ("cut-off", "0.01")],
+            &[("samples", "1"), ("max-error", "8/255")],
         ] {
             let scene = scene(file, [32, 24], settings);
             assert_parts_are_as_in_the_whole(&scene, &format!("{file} {settings:?}"));

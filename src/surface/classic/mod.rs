@@ -126,7 +126,7 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
 
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
         let end = T::of(segment.length) - T::OFFSET;
-        let counts = |t: T| t > T::OFFSET && t < end && segment.span.span().contains(t.wide());
+        let counts = |t: T| t > T::OFFSET && t < end && segment.limits().span().contains(t.wide());
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()
     }
 

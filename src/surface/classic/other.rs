@@ -42,7 +42,10 @@ impl<T: Scalar> Surface for Other<'_, T> {
     }
 
     fn occludes(&self, segment: &Segment, _end: Side) -> bool {
-        let before = segment.span.span().until(segment.length - T::OFFSET.wide());
+        let before = segment
+            .limits()
+            .span()
+            .until(segment.length - T::OFFSET.wide());
         self.hits(&segment.ray, before).is_some()
     }
 

@@ -1,0 +1,262 @@
+//! `heliodon cost`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::dials::Dials;
+use super::input::Failure;
+use super::messages::{Messages, problems_json};
+use super::{Status, input, progress, render};
+use crate::film::save;
+use crate::language::Refusal;
+use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
+use crate::read::{self, Reading};
+use crate::scene::Scene;
+
+/// Measures what accuracy costs in time: settings of a scene, each against a reference.
+///
+/// Without --vary each dial is tried alone that can change this scene's picture. The error of a
+/// picture and the number of rays are the same in every run; times are not.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// Scene file; `-` is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    format: input::SceneFormat,
+    /// Size of the picture in pixels, such as 800x600, instead of the scene's.
+    #[arg(long, value_name = "WxH", value_parser = render::size)]
+    size: Option<[u32; 2]>,
+    #[command(flatten)]
+    dials: Dials,
+    /// Try these values of a property of `image`; may be given for several.
+    #[arg(long, value_name = "WORD=A,B,…", value_parser = Variation::new)]
+    vary: Vec<Variation>,
+    /// Try all combinations of what is varied, instead of each alone.
+    #[arg(long, requires = "vary")]
+    grid: bool,
+    /// What to compare with: a PNG, PPM or PFM file, or `auto`, the best picture that there is.
+    #[arg(long, value_name = "FILE", default_value = "auto")]
+    reference: PathBuf,
+    /// How often to draw everything; the times are medians.
+    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    runs: u32,
+    /// Threads to render with; all processors if not given.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Name the cheapest settings that are this good, such as rmse=1e-3, max=1, off=0.01, psnr=40
+    /// or ssim=0.99; exit code 1 if none are.
+    #[arg(long, value_name = "WHAT=X", value_parser = Limit::new)]
+    target: Option<Limit>,
+    /// Name the most accurate settings that take no longer, such as 2s or 500ms; exit code 1 if
+    /// none do.
+    #[arg(long, value_name = "TIME", value_parser = seconds)]
+    budget: Option<f64>,
+    /// Print the answer as JSON on standard output.
+    #[arg(long)]
+    json: bool,
+    /// Write the table as comma-separated values.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write the plot of error against time as SVG.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Write a page with plot, pictures, errors and table, one HTML file that needs nothing else.
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+}
+
+/// A time in seconds from `2s` or `500ms`.
+fn seconds(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.strip_suffix("ms") {
+        Some(number) => (number, 0.001),
+        None => (text.strip_suffix('s').unwrap_or(text), 1.0),
+    };
+    let number: Option<f64> = number.trim().parse().ok();
+    let number = number.filter(|number| number.is_finite() && *number > 0.0);
+    number
+        .map(|number| number * unit)
+        .ok_or_else(|| "expected a time above zero, such as 2s or 500ms".to_owned())
+}
+
+pub(super) fn run(options: &Options, messages: &Messages) -> Status {
+    match answer(options, messages) {
+        Ok((text, status)) => messages.result(&text, status),
+        Err(failure) if options.json => {
+            messages.result(&failure.json(&options.scene), failure.status)
+        }
+        Err(failure) => failure.status,
+    }
+}
+
+/// What is printed, and how it ends.
+fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Failure> {
+    let reader = read::Options {
+        size: options.size,
+        settings: options.dials.settings(),
+        ..options.format.options()
+    };
+    let mut reading = input::read(&options.scene, &reader, messages)?;
+    check_outputs(options, &reading.scene, messages)?;
+    let threads = options.threads.map_or(0, usize::from);
+    let pool = render::pool(threads).map_err(|error| Failure::new(Status::Io, error, messages))?;
+    let cost = pool.install(|| measured(options, &mut reading.scene, messages))?;
+    write(options, &cost, messages)?;
+    let title = input::title(&options.scene);
+    let target = options.target.map(|limit| cost.cheapest(limit));
+    let budget = options.budget.map(|budget| cost.within(budget));
+    let asked = [("target", target), ("budget", budget)];
+    let unmet = asked
+        .iter()
+        .any(|(_, best)| best.as_ref().is_some_and(|best| best.label.is_none()));
+    let status = if unmet { Status::No } else { Status::Done };
+    let text = if options.json {
+        json(&title, status, &reading, &cost, &asked)
+    } else {
+        let asked = asked
+            .iter()
+            .filter_map(|(word, best)| Some(best.as_ref()?.words(word) + "\n"));
+        let asked: String = asked.collect();
+        let [width, height] = cost.size;
+        let runs = cost.runs_words();
+        format!("{title}, {width}x{height}, {runs}\n\n{cost}{asked}")
+    };
+    Ok((text, status))
+}
+
+fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result<Cost, Failure> {
+    let title = input::title(&options.scene);
+    let refused = |refusal: Refusal| {
+        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+        Failure::new(Status::BadInput, error, messages)
+    };
+    let senseless = |refusal: Refusal| {
+        let error = format!("{}; {}", refusal.reason, refusal.advice);
+        Failure::new(Status::Usage, error, messages)
+    };
+    let base = scene.picture;
+    let ladder = match (options.vary.as_slice(), options.grid) {
+        ([], _) => Ladder::of(base, &measure::effects_of(scene).map_err(refused)?),
+        (variations, true) => Ladder::of_all(base, variations).map_err(senseless)?,
+        (variations, false) => Ladder::of_each(base, variations).map_err(senseless)?,
+    };
+    let reference = (options.reference.as_os_str() != "auto").then(|| {
+        let path = &options.reference;
+        Reference::from_file(path, [base.width, base.height]).map_err(|error| {
+            let error = format!("cannot compare with {}: {error}", path.display());
+            Failure::new(Status::Io, error, messages)
+        })
+    });
+    let bar = progress::bar(&title, 0, messages);
+    let pictures = options.report.is_some();
+    let cost = measure::cost(
+        scene,
+        &ladder,
+        reference.transpose()?,
+        options.runs,
+        pictures,
+        &|done, of| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+        },
+    );
+    bar.finish_and_clear();
+    cost.map_err(refused)
+}
+
+/// Refuses to write one file twice, or over what the scene is made of, before anything is measured.
+fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), Failure> {
+    let outputs = [&options.csv, &options.plot, &options.report];
+    let outputs: Vec<&Path> = outputs
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
+    for (number, output) in outputs.iter().enumerate() {
+        let folder = output
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        let error = if outputs[..number].contains(output) {
+            (
+                Status::Usage,
+                format!("{} would be written twice", output.display()),
+            )
+        } else if let Some(part) = input::part_at(output, &options.scene, scene) {
+            let title = input::title(&options.scene);
+            let error = format!(
+                "{} would replace {part}, which {title} is made of",
+                output.display()
+            );
+            (Status::Usage, error)
+        } else if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+            (
+                Status::Io,
+                format!("there is no folder {}", folder.display()),
+            )
+        } else {
+            continue;
+        };
+        return Err(Failure::new(error.0, error.1, messages));
+    }
+    Ok(())
+}
+
+fn write(options: &Options, cost: &Cost, messages: &Messages) -> Result<(), Failure> {
+    let title = input::title(&options.scene);
+    let cannot = |path: &Path, error: &dyn std::fmt::Display| {
+        let error = format!("cannot write {}: {error}", path.display());
+        Failure::new(Status::Io, error, messages)
+    };
+    let done = |path: &Path| messages.note(&format!("{title} -> {}", path.display()));
+    if let Some(path) = &options.csv {
+        save(path, |out| cost.write_csv(out)).map_err(|error| cannot(path, &error))?;
+        done(path);
+    }
+    if let Some(path) = &options.plot {
+        let saved = save(path, |out| out.write_all(cost.plot().as_bytes()));
+        saved.map_err(|error| cannot(path, &error))?;
+        done(path);
+    }
+    if let Some(path) = &options.report {
+        let page = cost
+            .page(&title)
+            .map_err(|refusal| cannot(path, &refusal))?;
+        let saved = save(path, |out| out.write_all(page.as_bytes()));
+        saved.map_err(|error| cannot(path, &error))?;
+        done(path);
+    }
+    Ok(())
+}
+
+fn json(
+    title: &str,
+    status: Status,
+    reading: &Reading,
+    cost: &Cost,
+    asked: &[(&str, Option<Best>)],
+) -> String {
+    let mut line = serde_json::json!(cost);
+    line["scene"] = title.into();
+    line["exit"] = status.code().into();
+    line["problems"] = problems_json(&reading.warnings, &reading.scene.sources).into();
+    for (word, best) in asked {
+        line[*word] = serde_json::json!(best);
+    }
+    format!("{line}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_budget_is_a_time() {
+        assert_eq!(seconds("2s"), Ok(2.0));
+        assert_eq!(seconds("500 ms"), Ok(0.5));
+        assert_eq!(seconds("1.5"), Ok(1.5));
+        for text in ["", "s", "-1s", "nan", "2m"] {
+            assert!(seconds(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Which rung to take.
+
+use serde::Serialize;
+
+use super::{Cost, Measured};
+
+/// What a limit is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Metric {
+    /// The root mean square error; 1 is the largest code value.
+    Rmse,
+    /// The largest error in code values.
+    Max,
+    /// The share of the pixels that are off by more than half a code value.
+    Off,
+    /// The peak signal-to-noise ratio in decibels; more is better.
+    Psnr,
+    /// The structural similarity; more is better.
+    Ssim,
+}
+
+/// How good a picture has to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// What is limited.
+    pub metric: Metric,
+    /// The worst that is good enough.
+    pub value: f64,
+}
+
+/// A rung that is the best by some rule.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Best {
+    /// What it is called; `None` if no rung meets the rule.
+    pub label: Option<String>,
+    /// The rule, and what it comes to, in words.
+    pub why: String,
+}
+
+impl Metric {
+    const ALL: [(&'static str, Self); 5] = [
+        ("rmse", Self::Rmse),
+        ("max", Self::Max),
+        ("off", Self::Off),
+        ("psnr", Self::Psnr),
+        ("ssim", Self::Ssim),
+    ];
+}
+
+impl Limit {
+    /// A limit such as `rmse=1e-3` or `max=1`.
+    ///
+    /// # Errors
+    /// Tells what was expected.
+    pub fn new(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('=');
+        let (word, number) = parts.ok_or("expected a measure and its limit, such as rmse=1e-3")?;
+        let known = Metric::ALL.iter().find(|(known, _)| *known == word.trim());
+        let (_, metric) = known.ok_or_else(|| {
+            let words = Metric::ALL.map(|(word, _)| word).join(", ");
+            format!("expected one of {words} before ={number}")
+        })?;
+        let value: Option<f64> = number.trim().parse().ok();
+        let value = value.filter(|value| value.is_finite() && *value >= 0.0);
+        Ok(Self {
+            metric: *metric,
+            value: value.ok_or("expected a number that is not negative after the =")?,
+        })
+    }
+
+    /// Whether a rung is good enough.
+    #[must_use]
+    pub fn is_met(self, rung: &Measured) -> bool {
+        let deviation = &rung.deviation;
+        match self.metric {
+            Metric::Rmse => deviation.rmse <= self.value,
+            Metric::Max => deviation.change.largest <= self.value,
+            Metric::Off => deviation.change.pixels <= self.value,
+            Metric::Psnr => deviation.psnr.is_none_or(|psnr| psnr >= self.value),
+            Metric::Ssim => deviation.ssim >= self.value,
+        }
+    }
+
+    fn words(self) -> String {
+        let value = self.value;
+        match self.metric {
+            Metric::Rmse => format!("an RMSE of at most {value}"),
+            Metric::Max => format!("a largest error of at most {value} code values"),
+            Metric::Off => format!("at most {value} of all pixels off by more than half a code"),
+            Metric::Psnr => format!("a PSNR of at least {value} dB"),
+            Metric::Ssim => format!("an SSIM of at least {value}"),
+        }
+    }
+}
+
+impl Cost {
+    /// The cheapest rung that is good enough.
+    #[must_use]
+    pub fn cheapest(&self, limit: Limit) -> Best {
+        let words = limit.words();
+        match cheapest(&self.rungs, limit) {
+            Some(rung) => Best {
+                why: format!("the cheapest with {words} takes {} s", seconds(rung)),
+                label: Some(rung.label.clone()),
+            },
+            None => Best {
+                label: None,
+                why: format!("no rung has {words}"),
+            },
+        }
+    }
+
+    /// The most accurate rung that takes no longer than so many seconds.
+    #[must_use]
+    pub fn within(&self, budget: f64) -> Best {
+        let fast = self.rungs.iter().filter(|rung| rung.wall.median <= budget);
+        let best = fast.min_by(|one, other| {
+            let by_error = one.deviation.rmse.total_cmp(&other.deviation.rmse);
+            by_error.then(one.wall.median.total_cmp(&other.wall.median))
+        });
+        match best {
+            Some(rung) => Best {
+                label: Some(rung.label.clone()),
+                why: format!(
+                    "the most accurate within {budget} s takes {:.3} s and has an RMSE of {:.5}",
+                    rung.wall.median, rung.deviation.rmse
+                ),
+            },
+            None => Best {
+                label: None,
+                why: format!("no rung takes {budget} s or less"),
+            },
+        }
+    }
+}
+
+/// The cheapest rung whose root mean square error is one code value; if there is none, the most
+/// accurate.
+pub(super) fn recommended(rungs: &[Measured]) -> Best {
+    let limit = Limit {
+        metric: Metric::Rmse,
+        value: 1.0 / 255.0,
+    };
+    if let Some(rung) = cheapest(rungs, limit) {
+        return Best {
+            label: Some(rung.label.clone()),
+            why: format!(
+                "the cheapest with an RMSE of at most one code value takes {} s",
+                seconds(rung)
+            ),
+        };
+    }
+    let rungs = rungs.iter().filter(|rung| rung.is_on_front());
+    let best = rungs.min_by(|a, b| a.deviation.rmse.total_cmp(&b.deviation.rmse));
+    Best {
+        label: best.map(|rung| rung.label.clone()),
+        why: "no rung has an RMSE of at most one code value; this is the most accurate".to_owned(),
+    }
+}
+
+fn cheapest(rungs: &[Measured], limit: Limit) -> Option<&Measured> {
+    let good = rungs.iter().filter(|rung| limit.is_met(rung));
+    good.min_by(|one, other| one.cpu.median.total_cmp(&other.cpu.median))
+}
+
+fn seconds(rung: &Measured) -> String {
+    format!("{:.3}", rung.cpu.median)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_is_a_measure_and_a_number() {
+        let limit = Limit::new("max=1").expect("a limit");
+        assert_eq!((limit.metric, limit.value), (Metric::Max, 1.0));
+        for (text, expected) in [
+            ("1e-3", "such as rmse=1e-3"),
+            ("error=1", "expected one of rmse, max, off, psnr, ssim"),
+            ("max=-1", "not negative"),
+            ("max=one", "a number"),
+            ("max=nan", "a number"),
+        ] {
+            let error = Limit::new(text).expect_err("no limit");
+            assert!(error.contains(expected), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Which settings are tried.
+
+use super::Dial;
+use crate::language::Refusal;
+use crate::plan::Effect;
+use crate::scene::{Picture, Setting};
+
+/// One combination of settings that is tried.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rung {
+    /// What it is called: its settings, or "as it is".
+    pub label: String,
+    /// What is set differently from the scene.
+    pub settings: Vec<Setting>,
+    /// All settings together.
+    pub picture: Picture,
+    /// The dial that alone is turned, if one is.
+    pub dial: Option<&'static str>,
+    /// Other dials of which this is a step, too.
+    pub also: Vec<&'static str>,
+}
+
+/// The rungs in the order in which they are tried; the first is the scene as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ladder(pub Vec<Rung>);
+
+/// A dial and what it is set to in turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation(Vec<Setting>);
+
+impl Variation {
+    /// A variation such as `samples=1,4,16`.
+    ///
+    /// # Errors
+    /// Tells what was expected.
+    pub fn new(text: &str) -> Result<Self, String> {
+        let (word, steps) = text
+            .split_once('=')
+            .ok_or("expected a property of `image` and its values, such as samples=1,4,16")?;
+        let word = word.trim();
+        let settings = steps.split(',').map(|step| {
+            let setting = Setting::new(word, step.trim());
+            setting.map_err(|expected| match step.trim() {
+                "" => format!("{expected} between the commas"),
+                step if expected.starts_with("expected one of") => {
+                    format!("there is no property {word:?}; {expected} before ={step}")
+                }
+                step => format!("{step:?} is no {word}: {expected}"),
+            })
+        });
+        Ok(Self(settings.collect::<Result<_, _>>()?))
+    }
+}
+
+impl Ladder {
+    /// The ladder of a scene whose picture has these settings and in which these effects are
+    /// simulated: each dial alone that can change the picture.
+    #[must_use]
+    pub fn of(base: Picture, on: &[Effect]) -> Self {
+        let mut ladder = Self::starting_at(base);
+        for dial in Dial::all().filter(|dial| dial.matters(on)) {
+            let beside = dial.beside.iter();
+            let beside = beside.filter_map(|(word, text)| Setting::new(word, text).ok());
+            let beside: Vec<_> = beside.collect();
+            for step in dial.steps {
+                let setting = Setting::new(dial.word, step).ok();
+                // What cannot be combined is no step of this ladder.
+                let _ = ladder.add(base, beside.iter().cloned().chain(setting).collect());
+            }
+        }
+        ladder
+    }
+
+    /// Each variation alone.
+    ///
+    /// # Errors
+    /// Refuses settings that make no sense together.
+    pub fn of_each(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
+        let mut ladder = Self::starting_at(base);
+        for setting in variations.iter().flat_map(|variation| &variation.0) {
+            ladder.add(base, vec![setting.clone()])?;
+        }
+        Ok(ladder)
+    }
+
+    /// All combinations of the variations' settings.
+    ///
+    /// # Errors
+    /// Refuses settings that make no sense together.
+    pub fn of_all(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
+        let mut combinations = vec![Vec::new()];
+        for variation in variations {
+            let longer = combinations.iter().flat_map(|combination: &Vec<Setting>| {
+                let with =
+                    |setting: &Setting| [combination.clone(), vec![setting.clone()]].concat();
+                variation.0.iter().map(with)
+            });
+            combinations = longer.collect();
+        }
+        let mut ladder = Self::starting_at(base);
+        for settings in combinations {
+            ladder.add(base, settings)?;
+        }
+        Ok(ladder)
+    }
+
+    fn starting_at(base: Picture) -> Self {
+        Self(vec![Rung {
+            label: "as it is".to_owned(),
+            settings: Vec::new(),
+            picture: base,
+            dial: None,
+            also: Vec::new(),
+        }])
+    }
+
+    /// Adds a rung, unless one gives the same picture.
+    fn add(&mut self, base: Picture, settings: Vec<Setting>) -> Result<(), Refusal> {
+        let with = |picture: Picture, setting| picture.with(setting);
+        let rung = Rung {
+            label: label(&settings),
+            picture: settings.iter().fold(base, with),
+            dial: match settings.as_slice() {
+                [] => None,
+                [alone] => Some(alone.word()),
+                [.., last] => Dial::of(last.word())
+                    .filter(|dial| dial.beside.len() + 1 == settings.len())
+                    .filter(|dial| !dial.beside.is_empty())
+                    .map(|dial| dial.word),
+            },
+            also: Vec::new(),
+            settings,
+        };
+        rung.picture.check()?;
+        let same = |other: &Rung| {
+            other.picture == rung.picture && other.is_as_written() == rung.is_as_written()
+        };
+        match self.0.iter().position(same) {
+            // The scene as it is, is a step of all dials without that.
+            Some(0) => {}
+            Some(known) => self.0[known].also.extend(rung.dial),
+            None => self.0.push(rung),
+        }
+        Ok(())
+    }
+}
+
+impl Rung {
+    /// Whether the picture is compared as it is written, in code values.
+    #[must_use]
+    pub fn is_as_written(&self) -> bool {
+        let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
+        dials.flatten().any(|dial| dial.in_writing)
+    }
+}
+
+/// The settings as they are given, such as `samples=4 numerics=classic`.
+fn label(settings: &[Setting]) -> String {
+    let words = settings.iter().map(|setting| {
+        let value = setting.value().to_string();
+        format!("{}={}", setting.word(), value.trim_matches('"'))
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn base() -> Picture {
+        let node = crate::language::Node::new(&Picture::SCHEMA, None).value([4.0, 3.0]);
+        Picture::from_node(&node).expect("a picture")
+    }
+
+    fn labels(ladder: &Ladder) -> Vec<&str> {
+        ladder.0.iter().map(|rung| rung.label.as_str()).collect()
+    }
+
+    #[test]
+    fn only_what_the_scene_calls_for_is_tried() {
+        let plain = Ladder::of(base(), &[]);
+        assert!(plain.0.len() >= 12, "{:?}", labels(&plain));
+        let about = |ladder: &Ladder, word: &str| {
+            labels(ladder)
+                .iter()
+                .filter(|label| label.starts_with(word))
+                .count()
+        };
+        assert_eq!(about(&plain, "cut-off"), 0);
+        let mirrored = Ladder::of(base(), &[Effect::Mirrors]);
+        assert!(about(&mirrored, "cut-off") >= 5);
+        assert_eq!(labels(&mirrored)[0], "as it is");
+    }
+
+    #[test]
+    fn variations_alone_and_together() {
+        let variations = ["samples=1, 4", "numerics=classic,robust"];
+        let variations = variations.map(|text| Variation::new(text).expect("a variation"));
+        let each = Ladder::of_each(base(), &variations).expect("a ladder");
+        assert_eq!(labels(&each), ["as it is", "samples=4", "numerics=classic"]);
+        assert_eq!(each.0[2].dial, Some("numerics"));
+        let all = Ladder::of_all(base(), &variations).expect("a ladder");
+        let expected = [
+            "as it is",
+            "samples=1 numerics=classic",
+            "samples=4 numerics=classic",
+            "samples=4 numerics=robust",
+        ];
+        assert_eq!(labels(&all), expected);
+    }
+
+    #[test]
+    fn what_is_no_variation_is_told() {
+        for (text, expected) in [
+            ("samples", "such as samples=1,4,16"),
+            ("sample=1", "did you mean \"samples\"?"),
+            (
+                "samples=1,0",
+                "\"0\" is no samples: expected a whole number from 1",
+            ),
+            ("samples=1,,4", "between the commas"),
+            (
+                "numerics=f32",
+                "\"f32\" is no numerics: expected \"robust\"",
+            ),
+        ] {
+            let error = Variation::new(text).expect_err("no variation");
+            assert!(error.contains(expected), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! What a dial buys for time.
+
+use serde::Serialize;
+
+use super::{DIALS, Measured};
+
+/// What a dial buys for time, by its own error.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Law {
+    /// The dial.
+    pub dial: &'static str,
+    /// The rung whose own error is least, the fastest of those.
+    pub most_accurate: String,
+    /// How time and error go together.
+    pub trade: Trade,
+}
+
+/// How the time that a dial takes and its own error go together.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum Trade {
+    /// Error falls as a power of the time.
+    Power {
+        /// The exponent of the time; below zero.
+        of_time: f64,
+        /// The exponent of the dial's number.
+        of_value: f64,
+        /// How many times as long a picture with half the error takes.
+        halving: f64,
+    },
+    /// More accuracy takes no more time.
+    Free,
+    /// The steps are words, and follow no law.
+    Words,
+}
+
+/// Steps whose times are this close cost the same.
+const ALIKE: f64 = 1.1;
+
+/// The laws of all dials that were turned.
+pub(super) fn all(rungs: &[Measured]) -> Vec<Law> {
+    let turned = DIALS.iter().filter(|dial| {
+        let mut turned = rungs.iter().filter(|rung| rung.dial.is_some());
+        turned.any(|rung| rung.own(dial.word).is_some())
+    });
+    turned.filter_map(|dial| law(dial.word, rungs)).collect()
+}
+
+fn law(dial: &'static str, rungs: &[Measured]) -> Option<Law> {
+    let steps = rungs
+        .iter()
+        .filter_map(|rung| Some((rung, rung.own(dial)?)));
+    let steps: Vec<_> = steps.collect();
+    let (best, _) = steps.iter().min_by(|(a, one), (b, other)| {
+        let by_error = one.rmse.total_cmp(&other.rmse);
+        by_error.then(a.cpu.median.total_cmp(&b.cpu.median))
+    })?;
+    let points = steps.iter().filter_map(|(rung, own)| {
+        let point = [rung.cpu.median, own.value?, own.rmse];
+        point.iter().all(|it| *it > 0.0).then_some(point)
+    });
+    let points: Vec<_> = points.collect();
+    let words = steps.iter().any(|(_, own)| own.value.is_none());
+    Some(Law {
+        dial,
+        most_accurate: best.label.clone(),
+        trade: if words { Trade::Words } else { trade(&points) },
+    })
+}
+
+/// How times, numbers and errors go together.
+fn trade(points: &[[f64; 3]]) -> Trade {
+    let times = points.iter().map(|[time, ..]| *time);
+    let (least, most) = times.fold((f64::INFINITY, 0.0_f64), |(least, most), time| {
+        (least.min(time), most.max(time))
+    });
+    let against = |axis: usize| exponent(points.iter().map(|point| [point[axis], point[2]]));
+    match [against(0), against(1)] {
+        [Some(of_time), Some(of_value)] if of_time < 0.0 && most > ALIKE * least => Trade::Power {
+            of_time,
+            of_value,
+            halving: libm::exp2(-1.0 / of_time),
+        },
+        _ => Trade::Free,
+    }
+}
+
+/// The exponent of the power that fits best (least squares of the logarithms); `None` of fewer than
+/// two places.
+fn exponent(points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+    let points: Vec<_> = points.map(|point| point.map(libm::log)).collect();
+    #[expect(clippy::cast_precision_loss, reason = "a few rungs")]
+    let count = points.len() as f64;
+    let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
+    let [x, y] = [mean(0), mean(1)];
+    let spread: f64 = points
+        .iter()
+        .map(|point| (point[0] - x) * (point[0] - x))
+        .sum();
+    let together: f64 = points
+        .iter()
+        .map(|point| (point[0] - x) * (point[1] - y))
+        .sum();
+    (spread > 0.0).then(|| together / spread)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_is_found_and_its_price_told() {
+        // Twice the samples take twice the time and leave the error over the root of eight.
+        let points = [1.0, 4.0, 16.0].map(|n: f64| [0.3 * n, n, 0.5 / (n * n * n).sqrt().sqrt()]);
+        let Trade::Power {
+            of_time,
+            of_value,
+            halving,
+        } = trade(&points)
+        else {
+            panic!("no power");
+        };
+        assert!((of_time + 0.75).abs() < 1e-9 && (of_value + 0.75).abs() < 1e-9);
+        assert!((halving - 2.519_842).abs() < 1e-5, "{halving}");
+    }
+
+    #[test]
+    fn what_takes_no_longer_is_free() {
+        let alike = [[1.0, 0.1, 0.1], [1.05, 0.01, 0.01], [1.02, 0.001, 0.001]];
+        assert_eq!(trade(&alike), Trade::Free);
+        assert_eq!(trade(&[]), Trade::Free);
+    }
+}

@@ -1,0 +1,206 @@
+//! What one rung takes and how far off it is.
+
+use serde::Serialize;
+
+use super::reference::written;
+use super::{Blame, Dial, Reference, Rung, Twin, draw, pictures};
+use crate::film::Film;
+use crate::language::Refusal;
+use crate::measure::clock::timed_in_all_threads;
+use crate::measure::deviation::rmse;
+use crate::measure::{Deviation, Timing};
+use crate::render::Counts;
+use crate::scene::Scene;
+
+use super::spots::Spots;
+
+/// What one rung takes and how far off it is.
+#[derive(Debug, Clone, Serialize)]
+pub struct Measured {
+    /// What it is called.
+    pub label: String,
+    /// The dial that alone is turned, if one is.
+    pub dial: Option<&'static str>,
+    /// The number that it is turned to, if it takes one.
+    pub value: Option<f64>,
+    /// Processor time of all threads, in seconds.
+    pub cpu: Timing,
+    /// The time that goes by, in seconds.
+    pub wall: Timing,
+    /// All rays.
+    pub rays: u64,
+    /// The work in numbers, which are the same in every run and on any number of threads.
+    pub counts: Counts,
+    /// How far the picture is from the reference.
+    #[serde(flatten)]
+    pub deviation: Deviation,
+    /// The root mean square error that is each dial's own: how far the picture is from the same one
+    /// with that dial at its best; for the scene as it is, that of every dial.
+    pub own: Vec<Own>,
+    /// The inverse of the mean square error times the processor time; `None` if there is no error.
+    pub efficiency: Option<f64>,
+    /// A rung that is at least as accurate and as fast, and better in one of that; none if this one
+    /// is on the Pareto front.
+    pub dominated_by: Option<String>,
+    /// Where the dial errs.
+    #[serde(skip)]
+    pub blame: Option<Blame>,
+    /// The picture, if that was asked for.
+    #[serde(skip)]
+    pub pictures: Option<Pictures>,
+}
+
+/// The error that is a dial's own.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Own {
+    /// The dial.
+    pub dial: &'static str,
+    /// The number that it is turned to, if it takes one.
+    pub value: Option<f64>,
+    /// The root mean square error; 1 is the largest code value.
+    pub rmse: f64,
+}
+
+/// A rung's picture and its errors as PNG files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pictures {
+    /// The picture.
+    pub picture: Vec<u8>,
+    /// How far each pixel is off.
+    pub errors: Vec<u8>,
+    /// The pixels that are most off, no two of them close to each other.
+    pub worst: Vec<[usize; 2]>,
+}
+
+impl Measured {
+    /// The error that is this dial's own, if it was measured.
+    #[must_use]
+    pub fn own(&self, dial: &str) -> Option<Own> {
+        self.own.iter().find(|own| own.dial == dial).copied()
+    }
+
+    /// Whether no rung is better in accuracy or time without being worse in the other.
+    #[must_use]
+    pub fn is_on_front(&self) -> bool {
+        self.dominated_by.is_none()
+    }
+}
+
+/// A rung that is drawn again and again.
+pub(super) struct Subject {
+    rung: Rung,
+    cpu: Vec<f64>,
+    wall: Vec<f64>,
+    counts: Counts,
+    deviation: Option<Deviation>,
+    own: Vec<Own>,
+    blame: Option<Blame>,
+    pictures: Option<Pictures>,
+}
+
+impl Subject {
+    pub(super) fn new(rung: Rung) -> Self {
+        Self {
+            rung,
+            cpu: Vec::new(),
+            wall: Vec::new(),
+            counts: Counts::default(),
+            deviation: None,
+            own: Vec::new(),
+            blame: None,
+            pictures: None,
+        }
+    }
+
+    /// Draws it once more.
+    pub(super) fn draw(&mut self, scene: &mut Scene) -> Result<Film, Refusal> {
+        let ([cpu, wall], drawn) = timed_in_all_threads(|| draw(scene, self.rung.picture));
+        let (film, counts) = drawn?;
+        self.cpu.push(cpu);
+        self.wall.push(wall);
+        self.counts = counts;
+        Ok(film)
+    }
+
+    /// The picture as it is compared: as it is written if the rung is about that.
+    pub(super) fn as_compared(&self, film: Film) -> Film {
+        if self.rung.is_as_written() {
+            written(&film, self.rung.picture)
+        } else {
+            film
+        }
+    }
+
+    /// Finds out how far off the picture is.
+    pub(super) fn compare(
+        &mut self,
+        film: &Film,
+        reference: &Reference,
+        twins: &[Twin],
+        spots: &Spots,
+    ) {
+        let deviation = reference.deviation(film);
+        self.deviation = Some(deviation);
+        let as_it_is = self.rung.settings.is_empty();
+        let dials = Dial::all().filter(|dial| {
+            let turned = self.rung.dial.iter().chain(&self.rung.also);
+            let mut turned = turned.filter(|turned| **turned == dial.word);
+            // The scene as it is, is a step of each dial that is turned alone.
+            let is_step = as_it_is && dial.beside.is_empty() && !dial.in_writing;
+            turned.next().is_some() || is_step
+        });
+        for dial in dials {
+            let twin = twins.iter().find(|twin| twin.dial == dial.word);
+            let own = match twin {
+                Some(twin) => rmse(film, &twin.film),
+                None if dial.by_reference => deviation.rmse,
+                None => continue,
+            };
+            let value = self.rung.picture.describe().property(dial.word);
+            let value = value.filter(|value| value.text().is_empty());
+            self.own.push(Own {
+                dial: dial.word,
+                value: value.map(|value| value.number()),
+                rmse: own,
+            });
+            if self.rung.dial == Some(dial.word) {
+                let truth = twin.map_or(&reference.film, |twin| &twin.film);
+                self.blame = Blame::of(dial.word, &self.rung.label, film, truth, spots);
+            }
+        }
+    }
+
+    /// Keeps the picture.
+    pub(super) fn keep(&mut self, film: &Film, reference: &Reference) -> Result<(), Refusal> {
+        self.pictures = Some(pictures::of(film, &reference.film)?);
+        Ok(())
+    }
+
+    pub(super) fn measured(self) -> Measured {
+        let cpu = Timing::of(&self.cpu);
+        let deviation = self.deviation.unwrap_or(Deviation {
+            change: crate::measure::Change::default(),
+            rmse: 0.0,
+            psnr: None,
+            ssim: 1.0,
+        });
+        let square = deviation.rmse * deviation.rmse;
+        let mut turned = self.own.iter();
+        let own = turned.find(|own| Some(own.dial) == self.rung.dial);
+        Measured {
+            label: self.rung.label,
+            dial: self.rung.dial,
+            value: own.and_then(|own| own.value),
+            cpu,
+            wall: Timing::of(&self.wall),
+            rays: self.counts.rays(),
+            counts: self.counts,
+            deviation,
+            efficiency: (square > 0.0 && cpu.median > 0.0).then(|| 1.0 / (square * cpu.median)),
+            own: self.own,
+            dominated_by: None,
+            blame: self.blame,
+            pictures: self.pictures,
+        }
+    }
+}

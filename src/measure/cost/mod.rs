@@ -1,0 +1,181 @@
+//! What accuracy costs in time: settings of one scene, each measured against a reference.
+
+mod blame;
+mod chart;
+mod choice;
+mod csv;
+mod dial;
+mod front;
+mod ladder;
+mod law;
+mod measured;
+mod page;
+mod pictures;
+mod plot;
+mod reference;
+mod spots;
+mod svg;
+mod table;
+
+pub use blame::Blame;
+pub use choice::{Best, Limit, Metric};
+pub use dial::{DIALS, Dial};
+pub use ladder::{Ladder, Rung, Variation};
+pub use law::{Law, Trade};
+pub use measured::{Measured, Pictures};
+pub use reference::{Doubt, Reference};
+pub use spots::Spot;
+
+use serde::Serialize;
+
+use crate::film::Film;
+use crate::language::Refusal;
+use crate::plan::{Effect, Plan, Scope};
+use crate::render::{Counts, observed};
+use crate::scene::{Picture, Scene};
+use crate::surface::classic;
+use measured::Subject;
+use spots::Spots;
+
+/// What accuracy costs in one scene.
+#[derive(Debug, Clone, Serialize)]
+pub struct Cost {
+    /// Width and height of the picture in pixels.
+    pub size: [u32; 2],
+    /// How often each rung was drawn; times are medians of so many runs.
+    pub runs: u32,
+    /// How many threads drew.
+    pub threads: usize,
+    /// What the pictures were compared with.
+    pub reference: Reference,
+    /// The rungs in the order of the ladder.
+    pub rungs: Vec<Measured>,
+    /// What each dial buys for time.
+    pub laws: Vec<Law>,
+    /// Where in the picture each dial errs most.
+    pub blames: Vec<Blame>,
+    /// The rung that is recommended.
+    pub recommended: Best,
+}
+
+/// Measures what the rungs of a ladder cost: draws each of them in turn, as often as `runs` says,
+/// on all threads of the current pool, after one run that is not counted; and compares them with a
+/// reference, the best picture that there is if none is given.
+///
+/// The scene's picture has its own settings again afterwards. `pictures` asks for the pictures of
+/// all rungs. `progress` is told how many of how many steps are done.
+///
+/// # Errors
+/// Refuses what cannot be rendered.
+pub fn cost(
+    scene: &mut Scene,
+    ladder: &Ladder,
+    reference: Option<Reference>,
+    runs: u32,
+    pictures: bool,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Cost, Refusal> {
+    let base = scene.picture;
+    let measured = climbed(scene, ladder, reference, runs.max(1), pictures, progress);
+    scene.picture = base;
+    measured
+}
+
+fn climbed(
+    scene: &mut Scene,
+    ladder: &Ladder,
+    reference: Option<Reference>,
+    runs: u32,
+    pictures: bool,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Cost, Refusal> {
+    let base = scene.picture;
+    // The reference and the best of each dial are about as much work as one run.
+    let steps = (runs as usize + 1) * ladder.0.len();
+    let spots = Spots::of(scene)?;
+    let reference = match reference {
+        Some(reference) => reference,
+        None => Reference::automatic(scene, ladder)?,
+    };
+    let twins = twins(scene, base, ladder)?;
+    // Not measured: the first picture also fetches program and textures into the caches.
+    draw(scene, base)?;
+    let mut done = ladder.0.len();
+    progress(done, steps);
+    let subjects = ladder.0.iter();
+    let mut subjects: Vec<_> = subjects.map(|rung| Subject::new(rung.clone())).collect();
+    for run in 0..runs {
+        for subject in &mut subjects {
+            let film = subject.draw(scene)?;
+            if run == 0 {
+                let film = subject.as_compared(film);
+                subject.compare(&film, &reference, &twins, &spots);
+                if pictures {
+                    subject.keep(&film, &reference)?;
+                }
+            }
+            done += 1;
+            progress(done, steps);
+        }
+    }
+    let mut rungs: Vec<_> = subjects.into_iter().map(Subject::measured).collect();
+    front::mark(&mut rungs);
+    Ok(Cost {
+        size: [base.width, base.height],
+        runs,
+        threads: rayon::current_num_threads(),
+        laws: law::all(&rungs),
+        blames: blame::all(&rungs, scene),
+        recommended: choice::recommended(&rungs),
+        reference,
+        rungs,
+    })
+}
+
+/// A picture in which one dial is at its best, and else what the scene says.
+#[derive(Debug)]
+struct Twin {
+    dial: &'static str,
+    film: Film,
+}
+
+/// The twins of the dials of a ladder that have a best setting; what only shapes what is written is
+/// at its best before that.
+fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>, Refusal> {
+    let mut twins = Vec::new();
+    for dial in DIALS {
+        let turned = ladder.0.iter().find(|rung| rung.dial == Some(dial.word));
+        let (Some(rung), true) = (turned, !dial.by_reference) else {
+            continue;
+        };
+        let best = if dial.in_writing {
+            base
+        } else {
+            dial.best()
+                .map_or(rung.picture, |best| rung.picture.with(&best))
+        };
+        let (film, _) = draw(scene, best)?;
+        twins.push(Twin {
+            dial: dial.word,
+            film,
+        });
+    }
+    Ok(twins)
+}
+
+/// Draws a scene with other settings of its picture.
+fn draw(scene: &mut Scene, picture: Picture) -> Result<(Film, Counts), Refusal> {
+    scene.picture = picture;
+    observed(scene, Scope::CalledFor, &|_| ())
+}
+
+/// The effects that are simulated in a scene.
+///
+/// # Errors
+/// Refuses a camera that cannot exist.
+pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, Refusal> {
+    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let on = plan.decisions().into_iter().filter(|decision| decision.on);
+    Ok(on.map(|decision| decision.effect).collect())
+}

@@ -1,0 +1,146 @@
+//! The cost of accuracy as a page that needs nothing else.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::json;
+
+use super::plot::{STYLE, color};
+use super::svg::escaped;
+use super::table::{median, percent};
+use super::{Blame, Cost, Measured, pictures};
+use crate::language::Refusal;
+
+const TEMPLATE: &str = include_str!("page.html");
+
+impl Cost {
+    /// The page, about a scene that is called this.
+    ///
+    /// # Errors
+    /// Refuses a picture that cannot be kept.
+    pub fn page(&self, scene: &str) -> Result<String, Refusal> {
+        let reference = pictures::png(&self.reference.film)?;
+        let [width, height] = self.size;
+        let parts = |word: &str| match word {
+            "scene" => escaped(scene),
+            "size" => format!("{width} × {height}"),
+            "aspect" => format!("{width} / {height}"),
+            "runs" => escaped(&self.runs_words()),
+            "reference" => escaped(&self.reference_words()),
+            "recommended" => escaped(self.recommended.label.as_deref().unwrap_or("none")),
+            "why" => escaped(&self.recommended.why),
+            "laws" => {
+                let laws = self.laws.iter().map(|law| law.words(&self.rungs));
+                let blames = self.blames.iter().map(Blame::words);
+                laws.chain(blames).map(|words| sentence(&words)).collect()
+            }
+            "style" => STYLE.to_owned(),
+            "wide" => self.plot_element("wide", [1000.0, 520.0]),
+            "narrow" => self.plot_element("narrow", [390.0, 460.0]),
+            "rows" => self.rungs.iter().enumerate().map(row).collect(),
+            "data" => self.data(&reference),
+            _ => String::new(),
+        };
+        Ok(filled(TEMPLATE, parts))
+    }
+
+    /// What the page's script shows.
+    fn data(&self, reference: &[u8]) -> String {
+        // Many rungs have the same picture; each is there once.
+        let mut files: Vec<&[u8]> = vec![reference];
+        let mut number_of = |file| {
+            let known = files.iter().position(|known| *known == file);
+            known.unwrap_or_else(|| {
+                files.push(file);
+                files.len() - 1
+            })
+        };
+        let mut rungs = Vec::new();
+        for rung in &self.rungs {
+            let pictures = rung.pictures.as_ref();
+            let picture = pictures.map(|pictures| number_of(&pictures.picture));
+            let errors = pictures.map(|pictures| number_of(&pictures.errors));
+            rungs.push(json!({
+                "label": rung.label,
+                "cpu": median(rung.cpu),
+                "rmse": format!("{:.6}", rung.deviation.rmse),
+                "max": format!("{:.2}", rung.deviation.change.largest),
+                "off": percent(rung.deviation.change.pixels),
+                "picture": picture,
+                "errors": errors,
+                "worst": pictures.map(|pictures| &pictures.worst),
+            }));
+        }
+        let recommended = self
+            .rungs
+            .iter()
+            .position(|rung| Some(&rung.label) == self.recommended.label.as_ref());
+        let data = json!({
+            "files": files.into_iter().map(url).collect::<Vec<_>>(),
+            "rungs": rungs,
+            "start": recommended.unwrap_or(0),
+        });
+        // Nothing in it may end the script.
+        data.to_string().replace('<', "\\u003c")
+    }
+}
+
+/// A sentence about a dial, its first words set apart.
+fn sentence(words: &str) -> String {
+    let (dial, rest) = match words.split_once(": ") {
+        Some((dial, rest)) => (dial, rest.to_owned()),
+        None => match words.split_once(" errs ") {
+            Some((rung, rest)) => (rung, format!("errs {rest}")),
+            None => ("", words.to_owned()),
+        },
+    };
+    format!("<li><b>{}</b> {}</li>\n", escaped(dial), escaped(&rest))
+}
+
+/// A rung's row of the table.
+fn row((number, rung): (usize, &Measured)) -> String {
+    let deviation = &rung.deviation;
+    let psnr = deviation
+        .psnr
+        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
+    let (class, better) = match &rung.dominated_by {
+        None => ("on-front", "none".to_owned()),
+        Some(better) => ("", escaped(better)),
+    };
+    let cells = [
+        rung.cpu.to_string(),
+        median(rung.wall),
+        rung.rays.to_string(),
+        format!("{:.2}", deviation.change.largest),
+        percent(deviation.change.pixels),
+        format!("{:.6}", deviation.rmse),
+        psnr,
+        format!("{:.4}", deviation.ssim),
+        rung.efficiency
+            .map_or("–".to_owned(), |it| format!("{it:.0}")),
+    ];
+    let cells = cells.map(|cell| format!("<td>{cell}</td>")).concat();
+    format!(
+        "<tr class=\"{class}\" data-rung=\"{number}\" tabindex=\"0\"><th><i class=\"{}\"></i>{}</th>\
+         {cells}<td>{better}</td></tr>\n",
+        color(rung.dial),
+        escaped(&rung.label),
+    )
+}
+
+/// A file within an address.
+fn url(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(png))
+}
+
+/// A template in which every `{{word}}` is replaced.
+fn filled(template: &str, part: impl Fn(&str) -> String) -> String {
+    let mut text = String::new();
+    let mut rest = template;
+    while let Some((before, from)) = rest.split_once("{{") {
+        let (word, after) = from.split_once("}}").unwrap_or((from, ""));
+        text += before;
+        text += &part(word);
+        rest = after;
+    }
+    text + rest
+}

@@ -1,0 +1,119 @@
+//! What pictures are compared with.
+
+use std::path::Path;
+
+use super::dial::best_of;
+use super::{Ladder, draw};
+use crate::film::Film;
+use crate::language::Refusal;
+use crate::math::Rgb;
+use crate::measure::deviation::rmse;
+use crate::measure::{Change, Deviation};
+use crate::scene::{Picture, Scene};
+use serde::Serialize;
+
+/// The picture that all others are compared with.
+#[derive(Debug, Clone, Serialize)]
+pub struct Reference {
+    /// The picture.
+    #[serde(skip)]
+    pub film: Film,
+    /// How it was made.
+    pub about: String,
+    /// How far it may be off itself; `None` if nobody knows.
+    pub doubt: Option<Doubt>,
+}
+
+/// How far a reference is off itself, to judge by how its two halves differ.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Doubt {
+    /// The root mean square error; 1 is the largest code value.
+    pub rmse: f64,
+    /// The largest error in code values.
+    pub largest: f64,
+}
+
+impl Reference {
+    /// The best picture of a scene that there is, good enough for the rungs of a ladder.
+    ///
+    /// Every dial is at its best, and there are six times as many samples as on any rung. They are
+    /// two pictures of *k²* and of *(k + 1)²* stratified samples, whose cells and so whose places
+    /// have nothing in common; half of what these differ by is how far their mean may be off.
+    ///
+    /// # Errors
+    /// Refuses what cannot be rendered.
+    pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, Refusal> {
+        let most = ladder.0.iter().map(|rung| rung.picture.samples).max();
+        let half = f64::from(most.unwrap_or(1).max(32)) * 3.0;
+        // A whole number.
+        #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
+        #[expect(clippy::cast_sign_loss, reason = "positive")]
+        let side = half.sqrt().round().min(255.0) as u32;
+        let counts = [side * side, (side + 1) * (side + 1)];
+        let best = best_of(scene.picture);
+        let mut halves = Vec::new();
+        for samples in counts {
+            let picture = Picture { samples, ..best };
+            halves.push(draw(scene, picture)?.0);
+        }
+        let [weight, other_weight] = counts.map(f64::from);
+        let film = mixed(&halves[0], &halves[1], weight / (weight + other_weight));
+        Ok(Self {
+            film,
+            about: format!(
+                "{} samples in two halves, each dial at its best",
+                counts[0] + counts[1]
+            ),
+            doubt: Some(Doubt {
+                rmse: rmse(&halves[0], &halves[1]) / 2.0,
+                largest: Change::between(&halves[0], &halves[1]).largest / 2.0,
+            }),
+        })
+    }
+
+    /// A picture in a file: PNG, PPM or PFM, of the size of the scene's.
+    ///
+    /// # Errors
+    /// Tells what is wrong with the file.
+    pub fn from_file(path: &Path, [width, height]: [u32; 2]) -> Result<Self, String> {
+        let film = Film::read(path)?;
+        if [film.width(), film.height()] != [width as usize, height as usize] {
+            return Err(format!(
+                "it has {}x{} pixels, and the scene's picture {width}x{height}",
+                film.width(),
+                film.height()
+            ));
+        }
+        Ok(Self {
+            film,
+            about: path.display().to_string(),
+            doubt: None,
+        })
+    }
+
+    /// How far a picture is from it.
+    #[must_use]
+    pub fn deviation(&self, picture: &Film) -> Deviation {
+        Deviation::of(picture, &self.film)
+    }
+}
+
+/// The weighted mean of two pictures.
+fn mixed(one: &Film, other: &Film, weight: f64) -> Film {
+    let mut mixed = one.clone();
+    for (pixel, other) in mixed.pixels_mut().iter_mut().zip(other.pixels()) {
+        *pixel = (*pixel * weight + *other * (1.0 - weight)).saturated();
+    }
+    mixed
+}
+
+/// A picture as it is written in 8 bits.
+pub(super) fn written(film: &Film, picture: Picture) -> Film {
+    let mut written = film.clone();
+    for pixel in written.pixels_mut() {
+        let channels = pixel.channels();
+        let [r, g, b] = channels.map(|c| f64::from(picture.rounding.code(c, 255)) / 255.0);
+        *pixel = Rgb::new(r, g, b);
+    }
+    written
+}

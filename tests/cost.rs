@@ -1,0 +1,281 @@
+//! What accuracy costs: the ladder follows from the scene, and what can be counted is the same in
+//! every run.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use heliodon::measure::{Cost, Ladder, Limit, Reference, Variation, cost, effects_of};
+use heliodon::read::{Options, read_bytes, read_file};
+use heliodon::render::render;
+use heliodon::scene::Scene;
+use rayon::ThreadPoolBuilder;
+
+const SCENE: &str = r#"
+image 32 24
+camera { viewpoint 0 1 4; look-at 0 1 0 }
+material "chalk" { ambient 0.1; diffuse 2 }
+light { location 2 4 3; emissivity 2 }
+plane "floor" { material "chalk"; point 0 0 0; normal 0 1 0 }
+sphere "ball" { material "chalk"; center 0 1 0; radius 1 }
+"#;
+
+fn scene(text: &str) -> Scene {
+    let reading = read_bytes("test", text.into(), PathBuf::new(), &Options::default());
+    reading
+        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .scene
+}
+
+fn room() -> Scene {
+    let options = Options {
+        size: Some([40, 30]),
+        ..Options::default()
+    };
+    let reading = read_file("scenes/room.kdl".as_ref(), &options).expect("a file");
+    reading.expect("a scene").scene
+}
+
+fn labels(scene: &Scene) -> Vec<String> {
+    let effects = effects_of(scene).expect("a possible camera");
+    let ladder = Ladder::of(scene.picture, &effects);
+    ladder.0.into_iter().map(|rung| rung.label).collect()
+}
+
+fn measured(scene: &mut Scene, variations: &[&str], threads: usize) -> Cost {
+    let variations = variations.iter().map(|text| Variation::new(text));
+    let variations: Vec<_> = variations.map(|it| it.expect("a variation")).collect();
+    let ladder = Ladder::of_each(scene.picture, &variations).expect("a ladder");
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.expect("threads");
+    pool.install(|| cost(scene, &ladder, None, 1, false, &|_, _| ()))
+        .expect("a cost")
+}
+
+#[test]
+fn the_ladder_has_only_what_the_scene_calls_for() {
+    let plain = labels(&scene(SCENE));
+    assert!(plain.len() >= 12, "{plain:?}");
+    let room = labels(&room());
+    assert!(room.len() >= 12, "{room:?}");
+    for (word, in_room) in [("cut-off=", true), ("samples=", true), ("numerics=", true)] {
+        let is_on = |labels: &[String]| labels.iter().any(|label| label.contains(word));
+        assert_eq!(is_on(&room), in_room, "{word}");
+        assert_eq!(is_on(&plain), word != "cut-off=", "{word}");
+    }
+    let filters = |labels: &[String]| labels.iter().any(|label| label.contains("filter"));
+    assert!(!filters(&plain), "{plain:?}");
+    let mirror = scene(&SCENE.replace("diffuse 2", "diffuse 2; specular 0.3"));
+    assert!(labels(&mirror).iter().any(|label| label == "cut-off=0.25"));
+}
+
+#[test]
+fn counts_and_errors_are_the_same_on_any_number_of_threads() {
+    let mut room = room();
+    let before = room.picture;
+    let variations = ["samples=4", "cut-off=1", "numerics=classic"];
+    let [one, three] = [1, 3].map(|threads| measured(&mut room, &variations, threads));
+    assert_eq!(room.picture, before, "the scene has its own settings again");
+    let pairs = one.rungs.iter().zip(&three.rungs);
+    assert_eq!(pairs.clone().count(), 4);
+    for (one, three) in pairs {
+        assert_eq!(one.label, three.label);
+        assert_eq!(one.counts, three.counts, "{}", one.label);
+        assert_eq!(one.deviation, three.deviation, "{}", one.label);
+        assert_eq!(one.own, three.own, "{}", one.label);
+    }
+    let base = &one.rungs[0];
+    let (film, counts) = render(&room, &|_| ()).expect("a picture");
+    assert_eq!(base.counts, counts);
+    assert_eq!(one.reference.deviation(&film), base.deviation);
+    let rays = |rung: usize| one.rungs[rung].counts.camera_rays;
+    assert_eq!((rays(0), rays(1)), (1200, 4800));
+    assert_eq!(one.rungs[2].counts.mirror_rays, 0, "cut off");
+}
+
+#[test]
+fn more_samples_are_closer_to_the_reference() {
+    let cost = measured(&mut scene(SCENE), &["samples=4,16,64"], 1);
+    let errors: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.rmse).collect();
+    assert!(errors.is_sorted_by(|less, more| less > more), "{errors:?}");
+    let doubt = cost.reference.doubt.expect("two halves");
+    assert!(
+        doubt.rmse > 0.0 && doubt.rmse < errors[3] / 2.0,
+        "{doubt:?}"
+    );
+    let sums: f64 = cost.blames[0].spots.iter().map(|(_, error, _)| error).sum();
+    assert!((sums - 1.0).abs() < 1e-9);
+    let (spot, share, pixels) = cost.blames[0].spots[0];
+    assert_eq!(spot.words(), "at edges of surfaces");
+    assert!(share > 0.5 && pixels < 0.2, "{share} in {pixels}");
+}
+
+#[test]
+fn the_cheapest_and_the_best_within_a_time_are_named() {
+    let cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
+    let cheapest = |text| cost.cheapest(Limit::new(text).expect("a limit")).label;
+    assert_eq!(cheapest("max=0"), None);
+    assert!(cheapest("max=255").is_some());
+    let exact = format!("rmse={}", cost.rungs[2].deviation.rmse);
+    assert_eq!(cheapest(&exact).as_deref(), Some("samples=64"));
+    assert_eq!(cost.within(3600.0).label.as_deref(), Some("samples=64"));
+    assert_eq!(cost.within(1e-9).label, None);
+}
+
+#[test]
+fn a_picture_is_no_way_off_itself() {
+    let mut scene = scene(SCENE);
+    let (film, _) = render(&scene, &|_| ()).expect("a picture");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("it.pfm");
+    let mut bytes = Vec::new();
+    film.write(
+        &mut bytes,
+        heliodon::film::Format::Pfm,
+        scene.picture.rounding,
+        &heliodon::film::Notes::default(),
+    )
+    .expect("bytes");
+    std::fs::write(&path, bytes).expect("a file");
+    let reference = Reference::from_file(&path, [32, 24]).expect("a picture");
+    assert!(Reference::from_file(&path, [32, 25]).is_err());
+    let ladder = Ladder::of_each(scene.picture, &[]).expect("a ladder");
+    let cost = cost(&mut scene, &ladder, Some(reference), 2, false, &|_, _| ());
+    let cost = cost.expect("a cost");
+    assert!(cost.rungs[0].deviation.rmse < 1e-7);
+    assert_eq!(cost.reference.doubt, None);
+    assert!(cost.rungs[0].cpu.deviation.is_some());
+}
+
+/// Runs the command on the scene above in a folder of its own.
+fn run(folder: &tempfile::TempDir, arguments: &[&str]) -> Output {
+    std::fs::write(folder.path().join("scene.kdl"), SCENE).expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
+    command.current_dir(folder.path());
+    command.args(["cost", "scene.kdl", "--runs", "1"]);
+    command.args(arguments).output().expect("heliodon runs")
+}
+
+#[test]
+fn exit_codes_answer() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let code = |arguments: &[&str]| {
+        let arguments = [&["--vary", "samples=2"], arguments].concat();
+        run(&folder, &arguments).status.code()
+    };
+    assert_eq!(code(&["--target", "max=255"]), Some(0));
+    assert_eq!(code(&["--target", "max=0"]), Some(1));
+    assert_eq!(code(&["--budget", "1h"]), Some(2));
+    assert_eq!(code(&["--budget", "500s"]), Some(0));
+    assert_eq!(code(&["--reference", "none.png"]), Some(4));
+    assert_eq!(code(&["--csv", "scene.kdl"]), Some(2));
+    assert_eq!(code(&["--csv", "a", "--plot", "a"]), Some(2));
+    assert_eq!(code(&["--csv", "no/such.csv"]), Some(4));
+    assert_eq!(run(&folder, &["--grid"]).status.code(), Some(2));
+}
+
+#[test]
+fn what_cannot_be_varied_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (arguments, expected) in [
+        (["--vary", "sampels=2"], "did you mean \"samples\"?"),
+        (
+            ["--vary", "samples=0"],
+            "\"0\" is no samples: expected a whole number",
+        ),
+        (["--vary", "samples"], "such as samples=1,4,16"),
+        (
+            ["--target", "error=1"],
+            "expected one of rmse, max, off, psnr, ssim",
+        ),
+    ] {
+        let output = run(&folder, &arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn json_csv_plot_and_page_have_every_rung() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("a file");
+    let output = run(
+        &folder,
+        &[
+            "--vary",
+            "samples=1,4",
+            "--vary",
+            "numerics=classic",
+            "--target",
+            "max=255",
+            "--json",
+            "--csv",
+            "it.csv",
+            "--plot",
+            "it.svg",
+            "--report",
+            "it.html",
+        ],
+    );
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!((&answer["exit"], &answer["runs"]), (&0.into(), &1.into()));
+    assert_eq!(answer["scene"], "scene.kdl");
+    assert_eq!(answer["size"], serde_json::json!([32, 24]));
+    let rungs = answer["rungs"].as_array().expect("rungs");
+    let labels: Vec<_> = rungs.iter().map(|rung| &rung["label"]).collect();
+    assert_eq!(labels, ["as it is", "samples=4", "numerics=classic"]);
+    for field in [
+        "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim",
+    ] {
+        assert!(!rungs[0][field].is_null(), "{field}: {}", rungs[0]);
+    }
+    assert!(answer["target"]["label"].is_string());
+    assert!(answer["budget"].is_null());
+    assert!(answer["reference"]["doubt"]["rmse"].is_number());
+    for field in ["laws", "blames", "recommended"] {
+        assert!(!answer[field].is_null(), "{field}");
+    }
+
+    let csv = read("it.csv");
+    assert!(
+        csv.starts_with("rung,dial,value,cpu,cpu_mad,wall,wall_mad,rays,"),
+        "{csv}"
+    );
+    assert_eq!(csv.lines().count(), 4);
+    assert!(csv.contains("\nsamples=4,samples,4,"), "{csv}");
+
+    let plot = read("it.svg");
+    assert!(plot.starts_with("<svg xmlns="), "{plot}");
+    assert_eq!(plot.matches("class=\"rung\"").count(), 3);
+
+    let page = read("it.html");
+    assert!(!page.contains("http"), "the page needs nothing else");
+    assert!(!page.contains("{{"), "a part was not filled in");
+    assert!(
+        page.matches("data:image/png;base64,").count() >= 5,
+        "each picture is there"
+    );
+    assert_eq!(page.matches("<tr class").count(), 3);
+    let said = String::from_utf8(output.stderr).expect("text");
+    let files = ["it.csv", "it.svg", "it.html"];
+    let expected = files.map(|file| format!("scene.kdl -> {file}\n"));
+    assert_eq!(said, expected.concat());
+}
+
+#[test]
+fn a_table_a_plot_and_words_on_the_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = run(&folder, &["--vary", "samples=4", "--target", "max=0"]);
+    let text = String::from_utf8(output.stdout).expect("text");
+    for words in [
+        "scene.kdl, 32x24, one run on",
+        "\n  a as it is",
+        "\n  b samples=4",
+        "RMSE\n",
+        "\nrecommended: ",
+        "\nsamples: ",
+        "\ntarget: none; no rung has a largest error of at most 0 code values\n",
+    ] {
+        assert!(text.contains(words), "{words:?} in\n{text}");
+    }
+}

@@ -1,0 +1,130 @@
+//! `max-error`: what it promises, and what it does not depend on.
+
+use std::path::PathBuf;
+
+use heliodon::film::Film;
+use heliodon::plan::{Plan, Scope};
+use heliodon::read::{Options, read_bytes};
+use heliodon::render::{Counts, Tracer, observed, pixel_color};
+use heliodon::scene::Scene;
+
+use crate::scene;
+
+fn drawn(scene: &Scene) -> (Film, Counts) {
+    observed(scene, Scope::CalledFor, &|_| ()).expect("a possible camera")
+}
+
+fn of_text(text: &str) -> Scene {
+    let read = read_bytes("scene", text.into(), PathBuf::new(), &Options::default());
+    read.expect("a scene without mistakes").scene
+}
+
+/// How far off the worst channel of each pixel is, as a picture shows it.
+fn errors(film: &Film, truth: &Film) -> Vec<f64> {
+    let pairs = film.pixels().iter().zip(truth.pixels());
+    pairs
+        .map(|(pixel, truth)| {
+            let channels = pixel.channels().into_iter().zip(truth.channels());
+            channels
+                .map(|(a, b)| (a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0)).abs())
+                .fold(0.0, f64::max)
+        })
+        .collect()
+}
+
+fn share_within(errors: &[f64], limit: f64) -> f64 {
+    errors.iter().filter(|error| **error <= limit).count() as f64 / errors.len() as f64
+}
+
+#[test]
+fn the_target_is_met_with_fewer_rays_than_equally_many_everywhere_would_take() {
+    let (size, limit) = ([64, 48], 2.0 / 255.0);
+    for name in SCENES {
+        let (truth, _) = drawn(&scene(
+            name,
+            size,
+            &[("samples", "1024"), ("pattern", "stratified")],
+        ));
+        let (film, adaptive) = drawn(&scene(
+            name,
+            size,
+            &[("samples", "1"), ("max-error", "2/255")],
+        ));
+        let share = share_within(&errors(&film, &truth), limit);
+        assert!(share >= 0.995, "{name}: {share}");
+        let count = (adaptive.camera_rays / (64 * 48)).to_string();
+        let uniform = scene(name, size, &[("samples", &count), ("pattern", "sobol")]);
+        let beside = share_within(&errors(&drawn(&uniform).0, &truth), limit);
+        assert!(
+            beside < 0.995,
+            "{name}: {count} rays everywhere give {beside}"
+        );
+    }
+}
+
+/// Scenes of edges, shadows, images, mirrors and beams.
+const SCENES: [&str; 3] = ["saucers-textured", "brick-box", "spotlights"];
+
+/// A white thread before a black wall, thinner than a pixel by far: no ray of four meets it in most
+/// pixels, and none of those around them.
+const THREAD: &str = r#"
+    image 40 30 max-error=0.0078
+    camera { viewpoint 0 0 10; look-at 0 0 0; field-of-view 60 }
+    lighting { view-falloff "none" }
+    material "white" { ambient 1 }
+    finite-plane "thread" {
+        material "white"; point -3 -2.03 0; normal 0 0 1; xdir 4 3 0; dimensions 6 0.015 }"#;
+
+#[test]
+fn a_thread_that_rays_miss_is_not_missed() {
+    let film = drawn(&of_text(THREAD)).0;
+    let most = "image 40 30 samples=16384 pattern=\"sobol\"";
+    let truth = drawn(&of_text(
+        &THREAD.replace("image 40 30 max-error=0.0078", most),
+    ))
+    .0;
+    let seen = truth.pixels().iter().filter(|pixel| pixel.r > 0.0078);
+    assert!(seen.count() > 10, "the thread is not there");
+    let errors = errors(&film, &truth);
+    let worst = errors.iter().copied().fold(0.0, f64::max);
+    assert!(worst <= 0.0078, "{worst}");
+}
+
+#[test]
+fn where_nothing_happens_four_rays_are_enough() {
+    let wall = r#"
+        image 16 12 max-error=0.001
+        camera { viewpoint 0 0 10; look-at 0 0 0 }
+        lighting { view-falloff "none" }
+        material "grey" { ambient 0.5 }
+        plane "wall" { material "grey"; point 0 0 0; normal 0 0 1 }"#;
+    assert_eq!(drawn(&of_text(wall)).1.camera_rays, 4 * 16 * 12);
+    // With `samples` they are the fewest, as a power of two.
+    let more = wall.replace("max-error", "samples=9 max-error");
+    assert_eq!(drawn(&of_text(&more)).1.camera_rays, 16 * 16 * 12);
+}
+
+#[test]
+fn an_outline_behind_what_is_seen_costs_nothing() {
+    let hidden = r#"
+        image 16 12 max-error=0.001
+        camera { viewpoint 0 0 10; look-at 0 0 0 }
+        lighting { view-falloff "none" }
+        material "grey" { ambient 0.5 }
+        plane "wall" { material "grey"; point 0 0 0; normal 0 0 1 }
+        sphere "behind" { material "grey"; center 0 0 -4; radius 2 }"#;
+    assert_eq!(drawn(&of_text(hidden)).1.camera_rays, 4 * 16 * 12);
+    let before = hidden.replace("0 0 -4", "0 0 4");
+    assert!(drawn(&of_text(&before)).1.camera_rays > 5 * 16 * 12);
+}
+
+#[test]
+fn a_pixel_alone_is_as_in_the_picture() {
+    let scene = scene("saucers-textured", [24, 18], &[("max-error", "4/255")]);
+    let film = drawn(&scene).0;
+    let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a possible camera");
+    for (column, row) in [(0, 0), (11, 9), (12, 15), (23, 17)] {
+        let alone = pixel_color(Tracer::new(&plan), &scene, column, row, &mut ());
+        assert_eq!(alone, film.pixel(column, row), "{column},{row}");
+    }
+}
