@@ -63,7 +63,7 @@ impl Effect {
             Self::SpotCones => "spot cones",
             Self::Projectors => "projectors",
             Self::Textures => "textures",
-            Self::TextureFilter => "texture filter",
+            Self::TextureFilter => "filters",
             Self::Antialiasing => "antialiasing",
         }
     }

@@ -8,7 +8,7 @@ use crate::math::{Rgb, Spread};
 const MOST_PROBES: f64 = 16.0;
 
 /// The mean of some places along the longer axis of a footprint, each as large as the shorter axis,
-/// or larger where that would be more than 16 of them (after McCormack and others 1999, "Feline: Fast
+/// or larger where that would be more than 16 of them (after `McCormack` and others 1999, "Feline: Fast
 /// Elliptical Lines for Anisotropic Texture Mapping").
 pub(super) fn anisotropic(
     pyramid: &Pyramid,

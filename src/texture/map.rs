@@ -128,7 +128,7 @@ impl TextureMap {
             Filter::Bilinear => {
                 let sides = [texture.texels.width, texture.texels.height];
                 bilinear(place, sides, wraps, |column, row| {
-                    texture.from_bottom(column, row)
+                    texture.texel_upwards(column, row)
                 })
             }
             Filter::Mipmap => {

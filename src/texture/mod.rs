@@ -129,13 +129,13 @@ impl Texture {
         Rgb::new(intensity(r), intensity(g), intensity(b))
     }
 
-    /// The same as [`from_bottom`](Self::from_bottom), for what is made once and no picture's work.
+    /// The same as [`texel_upwards`](Self::texel_upwards), for what is made once and no picture's work.
     fn uncounted(&self, column: usize, row: usize) -> Rgb {
         self.color(column, self.texels.height - 1 - row)
     }
 
     /// The colour of a texel; column from the left, row from the bottom.
-    fn from_bottom(&self, column: usize, row: usize) -> Rgb {
+    fn texel_upwards(&self, column: usize, row: usize) -> Rgb {
         // Images are stored from the top.
         self.texel(column, self.texels.height - 1 - row)
     }

@@ -120,7 +120,7 @@ impl Pyramid {
         let whole = [texture.texels.width, texture.texels.height];
         let Some(image) = level.checked_sub(1).map(|number| &self.images[number]) else {
             return bilinear(place, whole, wraps, |column, row| {
-                texture.from_bottom(column, row)
+                texture.texel_upwards(column, row)
             });
         };
         #[expect(clippy::cast_precision_loss, reason = "sides are short")]
@@ -184,7 +184,7 @@ mod tests {
             pyramid.at(&texture, place, size, [Wrap::Repeat; 2])
         };
         for size in [0.0, 0.5, 1.0] {
-            assert_eq!(at(size), texture.from_bottom(2, 3));
+            assert_eq!(at(size), texture.texel_upwards(2, 3));
         }
         for size in [4.0, 1e9, f64::INFINITY, f64::NAN] {
             let off = at(size).r - texture.mean().r;
