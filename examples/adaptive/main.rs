@@ -9,7 +9,7 @@
 //! uniform counts of rays in the pattern `sobol`, up to the cheapest that meets the limit in as many
 //! pixels as is asked for.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -67,7 +67,7 @@ fn main() -> ExitCode {
 }
 
 /// Whether a scene meets the limit in as many pixels as it should.
-fn compare(path: &PathBuf, arguments: &Arguments) -> bool {
+fn compare(path: &Path, arguments: &Arguments) -> bool {
     let drawn = |settings: &[(&str, &str)]| draw(&read(path, arguments.size, settings));
     let reference = [("samples", &*arguments.reference), ("max-error", "0")];
     let (reference, ..) = drawn(&reference);
@@ -101,7 +101,7 @@ fn compare(path: &PathBuf, arguments: &Arguments) -> bool {
     adaptive >= arguments.share
 }
 
-fn read(path: &PathBuf, size: [u32; 2], settings: &[(&str, &str)]) -> Scene {
+fn read(path: &Path, size: [u32; 2], settings: &[(&str, &str)]) -> Scene {
     let settings = settings.iter().map(|(word, text)| Setting::new(word, text));
     let options = Options {
         size: Some(size),

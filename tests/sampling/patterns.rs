@@ -19,10 +19,12 @@ fn covered(nx: f64, ny: f64, d: f64) -> f64 {
 
 /// The root of the mean squared error of so many rays where straight borders cross 1024 pixels.
 fn edge_error(pattern: Pattern, count: u32) -> f64 {
-    let pixels = 1024;
+    let pixels = 1024u32;
     let mut sum = 0.0;
     for pixel in 0..pixels {
-        let drawn = |number: u64| (scramble(scramble(pixel) ^ number) >> 11) as f64 / 2f64.powi(53);
+        let drawn = |number: u64| {
+            (scramble(scramble(u64::from(pixel)) ^ number) >> 11) as f64 / 2f64.powi(53)
+        };
         let angle = drawn(1) * std::f64::consts::FRAC_PI_4;
         let (nx, ny) = (libm::sin(angle), libm::cos(angle));
         let d = (drawn(2) - 0.5) * (nx + ny);
@@ -34,7 +36,7 @@ fn edge_error(pattern: Pattern, count: u32) -> f64 {
         let error = inside.count() as f64 / f64::from(count) - covered(nx, ny, d);
         sum += error * error;
     }
-    (sum / pixels as f64).sqrt()
+    (sum / f64::from(pixels)).sqrt()
 }
 
 #[test]
@@ -105,8 +107,8 @@ fn every_power_of_two_of_a_sobol_sequence_has_one_place_in_each_cell() {
             let cells = (0..1u32 << power).map(|number| {
                 let [x, y] = places.at(number).map(|it| it + 0.5);
                 (
-                    (x * f64::from(columns)) as u32,
-                    (y * f64::from(rows)) as u32,
+                    (x * f64::from(columns)).floor().to_bits(),
+                    (y * f64::from(rows)).floor().to_bits(),
                 )
             });
             let different: std::collections::HashSet<_> = cells.collect();
