@@ -59,6 +59,7 @@ impl Errors {
 
     /// The errors behind a surface that sends the path on, which came along this unit direction.
     #[must_use]
+    #[inline(never)]
     pub fn behind(self, surface: &dyn Surface, turn: Turn, dir: DVec3, normal: DVec3) -> Self {
         let curvature = surface.round().map_or(0.0, |[_, axes]| {
             // An ellipse is most curved at the ends of its long axis.

@@ -26,6 +26,8 @@ impl Tracer<'_> {
     /// it answers to that of others.
     ///
     /// `seed` tells apart the places that are seen in a picture, and depends on nothing else.
+    // Never inlined, as the stack then holds its part for every mirror on the way.
+    #[inline(never)]
     pub(super) fn lamplight(
         &self,
         ray: &Ray,

@@ -10,6 +10,8 @@ use super::{Arrival, Probe, RayKind, Tracer};
 
 impl Tracer<'_> {
     /// What the surface itself sends back along a ray: ambient, and the light of every light.
+    // Never inlined, as the stack then holds its part for every mirror on the way.
+    #[inline(never)]
     pub(super) fn local_color(
         &self,
         ray: &Ray,
