@@ -101,7 +101,7 @@ impl Lamp {
     ///
     /// # Errors
     /// Refuses a lamp that is neither a rectangle nor a ball, or both, or lacks a part of either; and
-    /// what [`FinitePlane::new`] and [`Sphere::new`] refuse.
+    /// what [`FinitePlane::new`](super::FinitePlane::new) and [`Sphere::new`](super::Sphere::new) refuse.
     pub fn from_node(node: &Node, common: Common) -> Result<Self, Refusal> {
         #[expect(
             clippy::cast_possible_truncation,

@@ -30,7 +30,7 @@ const BOUNCES: &[Effect] = &[Effect::Mirrors, Effect::Transparency, Effect::Refr
 pub const DIALS: &[Dial] = &[
     Dial {
         word: "samples",
-        steps: &["1", "2", "3", "4", "6", "9", "16", "25", "36"],
+        steps: &["1", "2", "3", "4", "6", "9", "16", "25"],
         by_reference: true,
         ..Dial::PLAIN
     },
@@ -45,7 +45,7 @@ pub const DIALS: &[Dial] = &[
     },
     Dial {
         word: "max-error",
-        steps: &["0.0625", "0.0314", "0.0157", "0.0078"],
+        steps: &["0.0625", "0.0314", "0.0157"],
         best: Some("0"),
         by_reference: true,
         ..Dial::PLAIN
