@@ -224,8 +224,8 @@ impl Casters<'_, '_> {
                 return Rgb::BLACK;
             }
             crossed.extend(support);
-            if let Some(hit) = surface.hits(&segment.ray, segment.limits().span()) {
-                let hit = surface.settle(&hit, &segment.ray);
+            if let Some(mut hit) = surface.hits(&segment.ray, segment.limits().span()) {
+                surface.settle(&mut hit, &segment.ray);
                 passed = passed * surface.transmits(&hit);
             }
         }

@@ -18,14 +18,14 @@ pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
 pub use shadows::{Before, LightView};
-pub use sight::Sight;
+pub use sight::{Ahead, Sight};
 pub use supports::supports;
 
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::math::{Curve, Decisions, Departure, Flat, Limits, Ray, Span, Support};
+use crate::math::{Curve, Decisions, Departure, Flat, Limits, Ray, Rgb, Span, Support};
 use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
 
@@ -50,6 +50,9 @@ pub struct Entry<'a> {
     pub is_entered: bool,
     /// Whether rays that meet it cause others.
     pub sends_on: bool,
+    /// All that can be seen of it without light, if that is the same wherever rays cross its plane: it
+    /// has no end and no texture, and sends no rays on.
+    pub plain: Option<Rgb>,
     /// What it has like every surface.
     pub common: &'a Common,
     /// Its place in the list.
@@ -142,6 +145,10 @@ fn entries<'a>(
                 // A sheet has the number of the first surface on it.
                 && support.is_some_and(|Support(first)| first as usize == index),
             sends_on: surface.common().material.sends_on(),
+            plain: surface.plain_ambient().filter(|_| {
+                let is_endless = surface.flat().is_some() && surface.outline().is_empty();
+                is_endless && !surface.common().material.sends_on()
+            }),
             index,
         })
         .collect()
@@ -230,13 +237,30 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
         self.best = Some((entry, *hit));
     }
 
-    fn found(&self) -> Option<(&'e Entry<'a>, Hit)> {
-        let (entry, hit) = self.best.as_ref()?;
-        Some((entry, entry.surface.settle(hit, self.ray)))
+    fn found(mut self) -> Option<(&'e Entry<'a>, Hit)> {
+        if let Some((entry, hit)) = &mut self.best {
+            entry.surface.settle(hit, self.ray);
+        }
+        self.best
     }
 }
 
 impl<'a> Entry<'a> {
+    /// The hit of a ray from free space that can meet no other surface within its limits; as
+    /// [`SurfaceList::nearest`].
+    #[must_use]
+    #[inline(always)]
+    pub fn met_alone(&self, ray: &Ray, limits: &Limits<'_>) -> Option<Hit> {
+        let mut met = self.surface.hits(ray, limits.span());
+        if let Some(hit) = &mut met {
+            if !limits.hold(hit.t, hit.error, self.flat) {
+                return None;
+            }
+            self.surface.settle(hit, ray);
+        }
+        met
+    }
+
     /// What rays that leave the surface know of it.
     #[must_use]
     pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {

@@ -268,8 +268,8 @@ fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment:
             return Rgb::BLACK;
         }
         crossed.extend(entry.support);
-        if let Some(hit) = entry.surface.hits(&segment.ray, segment.limits().span()) {
-            let hit = entry.surface.settle(&hit, &segment.ray);
+        if let Some(mut hit) = entry.surface.hits(&segment.ray, segment.limits().span()) {
+            entry.surface.settle(&mut hit, &segment.ray);
             passed = passed * entry.surface.transmits(&hit);
         }
     }

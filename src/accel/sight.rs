@@ -1,7 +1,7 @@
 //! Which surfaces the eye can see where.
 
 use super::{Entry, SurfaceList, nearest};
-use crate::camera::{Camera, Window};
+use crate::camera::{Camera, Stretch, Window};
 use crate::math::{Limits, Ray};
 use crate::surface::Hit;
 
@@ -11,6 +11,17 @@ use crate::surface::Hit;
 #[derive(Debug)]
 pub struct Sight<'a> {
     seen: Vec<(Window, Entry<'a>)>,
+}
+
+/// What rays from the eye through a stretch of the picture can meet.
+#[derive(Debug, Clone, Copy)]
+pub enum Ahead<'s, 'a> {
+    /// Nothing at all.
+    Nothing,
+    /// This surface alone.
+    One(&'s Entry<'a>),
+    /// Any of several surfaces.
+    Several,
 }
 
 impl<'a> Sight<'a> {
@@ -44,6 +55,20 @@ impl<'a> Sight<'a> {
             seen[entry.index] = window.meets(size);
         }
         seen
+    }
+
+    /// What rays from the eye through a stretch of the picture can meet.
+    #[must_use]
+    pub fn along(&self, stretch: &Stretch<'_>) -> Ahead<'_, 'a> {
+        let mut here = self
+            .seen
+            .iter()
+            .filter(|(window, _)| window.meets_stretch(stretch));
+        match (here.next(), here.next()) {
+            (None, _) => Ahead::Nothing,
+            (Some((_, entry)), None) => Ahead::One(entry),
+            _ => Ahead::Several,
+        }
     }
 
     /// The surface that a ray from the eye through a place of the picture meets first; as

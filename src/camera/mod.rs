@@ -3,11 +3,13 @@
 mod image;
 mod pattern;
 mod places;
+mod row;
 mod view;
 mod window;
 
 pub use pattern::Pattern;
 pub use places::Places;
+pub use row::{Row, Stretch};
 pub use view::{View, WindowOrigin};
 pub use window::Window;
 
@@ -62,9 +64,19 @@ impl Camera {
     /// From the viewpoint to a place in the window.
     #[inline(always)]
     fn way(&self, x: f64, y: f64) -> DVec3 {
-        let across = self.right * ((x + self.inset) / self.span[0]);
-        let upward = self.up * ((y + self.inset) / self.span[1]);
-        self.lower_left + across + upward
+        self.way_across(x) + self.upward(y)
+    }
+
+    /// From the viewpoint to a place on the window's lower edge.
+    #[inline(always)]
+    fn way_across(&self, x: f64) -> DVec3 {
+        self.lower_left + self.right * ((x + self.inset) / self.span[0])
+    }
+
+    /// From the window's lower edge to a row.
+    #[inline(always)]
+    fn upward(&self, y: f64) -> DVec3 {
+        self.up * ((y + self.inset) / self.span[1])
     }
 
     /// The distances at which a ray can meet a surface.

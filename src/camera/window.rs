@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Camera;
+use super::{Camera, Stretch};
 use crate::math::UNIT;
 
 /// A part of a picture, in pixels from the centre of the lower-left one: nothing outside of it can
@@ -26,6 +26,13 @@ impl Window {
     pub fn meets(&self, size: [u32; 2]) -> bool {
         let mut axes = self.low.iter().zip(&self.high).zip(size);
         axes.all(|((low, high), pixels)| *low <= f64::from(pixels) && *high >= -1.0)
+    }
+
+    /// Whether some place of a stretch lies inside.
+    #[must_use]
+    pub fn meets_stretch(&self, stretch: &Stretch<'_>) -> bool {
+        let (y, [first, last]) = (stretch.row.y, stretch.ends());
+        y >= self.low[1] && y <= self.high[1] && first <= self.high[0] && last >= self.low[0]
     }
 
     /// Whether a place lies inside.

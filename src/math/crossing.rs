@@ -46,9 +46,7 @@ impl Crossing {
     /// The distance of the crossing: above zero, as it lies ahead.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        const SMALLEST: f64 = f64::from_bits(1);
-        // Within rounding of the plane, the height can have the wrong sign.
-        (self.height / self.slope).max(SMALLEST)
+        distance(self.height, self.slope)
     }
 
     /// Whether the crossing lies beyond a span for certain, before any division.
@@ -69,6 +67,14 @@ impl Crossing {
     pub fn error(&self, t: f64) -> f64 {
         (self.doubt + SLOPE * t) / self.slope.abs() + QUOTIENT * t
     }
+}
+
+/// The distance of a crossing.
+#[inline(always)]
+pub(super) fn distance(height: f64, slope: f64) -> f64 {
+    const SMALLEST: f64 = f64::from_bits(1);
+    // Within rounding of the plane, the height can have the wrong sign.
+    (height / slope).max(SMALLEST)
 }
 
 /// A slope that is not [`GRAZING`], whichever surface's normal in a plane it was computed with.

@@ -7,6 +7,7 @@ mod errors;
 mod lamps;
 mod media;
 mod probe;
+mod rows;
 mod seed;
 mod shading;
 mod thread_work;
@@ -202,6 +203,7 @@ impl<'a> Painter<'a> {
         let before = ThreadWork::until_now();
         match &self.adaptive {
             Some(adaptive) => adaptive.draw(rows, pixels, &mut probe),
+            None if scene.picture.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
                 for ([column, row], pixel) in rows.places().zip(pixels) {
                     *pixel = pixel_color(tracer, scene, column, row, &mut probe);

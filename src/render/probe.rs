@@ -73,6 +73,10 @@ pub trait Probe {
     fn follows_errors(&self) -> bool {
         false
     }
+    /// Whether all that it hears are counts; then many rays may be told of at once.
+    fn only_counts(&self) -> bool {
+        false
+    }
     /// The ray that set out last and has not come back yet meets the surface with this place in the
     /// list, and how far off that may be.
     fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
@@ -96,7 +100,11 @@ pub trait Probe {
     fn texel_fetches(&mut self, _count: u64) {}
 }
 
-impl Probe for () {}
+impl Probe for () {
+    fn only_counts(&self) -> bool {
+        true
+    }
+}
 
 /// How much work a picture took.
 #[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
@@ -217,6 +225,10 @@ impl Probe for Counts {
             Unfollowed::TooFaint(missed) if missed > 0.0 => self.faint_rays += 1,
             Unfollowed::TooFaint(_) | Unfollowed::BeyondReach => {}
         }
+    }
+
+    fn only_counts(&self) -> bool {
+        true
     }
 
     fn hit_tests(&mut self, count: u64) {

@@ -89,11 +89,34 @@ impl<'a> Tracer<'a> {
     pub(super) fn sees_as(&self, x: f64, y: f64, seed: Seed, probe: &mut impl Probe) -> Rgb {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
+        let (ray, mut tests) = (plan.camera.ray(x, y), 0);
+        let span = plan.camera.span(&ray);
+        let met = match &plan.sight {
+            Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
+            None => plan.surfaces.nearest(&ray, span, &mut tests),
+        };
+        probe.hit_tests(tests);
+        match met {
+            Some((entry, mut hit)) => self.shown([x, y], &ray, (entry, &mut hit), seed, probe),
+            None => nothing(probe),
+        }
+    }
+
+    /// The colour of what a ray from the eye through a place of the picture has met.
+    #[inline]
+    pub(super) fn shown(
+        &self,
+        [x, y]: [f64; 2],
+        ray: &Ray,
+        met: (&Entry<'a>, &mut Hit),
+        seed: Seed,
+        probe: &mut impl Probe,
+    ) -> Rgb {
         let mut budget = Budget {
             rays: MOST_BOUNCES,
-            light: plan.scene.picture.cut_off,
+            light: self.plan.scene.picture.cut_off,
         };
-        let beam = plan.filter.map(|_| self.beam(x, y));
+        let beam = self.plan.filter.map(|_| self.beam(x, y));
         let path = Path {
             travelled: 0.0,
             weight: 1.0,
@@ -102,14 +125,7 @@ impl<'a> Tracer<'a> {
             seed,
             beam: beam.as_ref(),
         };
-        let (ray, mut tests) = (plan.camera.ray(x, y), 0);
-        let span = plan.camera.span(&ray);
-        let met = match &plan.sight {
-            Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
-            None => plan.surfaces.nearest(&ray, span, &mut tests),
-        };
-        probe.hit_tests(tests);
-        let color = self.color_of(met, &ray, &path, &mut budget, probe);
+        let color = self.color_of(met, ray, &path, &mut budget, probe);
         // Adding zero turns −0 into +0, which is the same colour.
         color + Rgb::BLACK
     }
@@ -120,22 +136,21 @@ impl<'a> Tracer<'a> {
         let span = self.plan.camera.span(ray);
         let met = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.hit_tests(tests);
-        self.color_of(met, ray, path, budget, probe)
+        match met {
+            Some((entry, mut hit)) => self.color_of((entry, &mut hit), ray, path, budget, probe),
+            None => nothing(probe),
+        }
     }
 
     /// The colour that comes back along a ray from what it met.
     fn color_of(
         &self,
-        mut met: Option<(&Entry<'a>, Hit)>,
+        (entry, hit): (&Entry<'a>, &mut Hit),
         ray: &Ray,
         path: &Path,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Some((entry, hit)) = &mut met else {
-            probe.came_back(Rgb::BLACK);
-            return Rgb::BLACK;
-        };
         if let Some(beam) = path.beam {
             hit.texel = self.texel_over(entry, hit, beam);
         }
@@ -253,4 +268,10 @@ impl<'a> Tracer<'a> {
             .ok_or(Unfollowed::Capped(missed))?;
         Ok(())
     }
+}
+
+/// The colour that comes back along a ray that meets nothing.
+pub(super) fn nothing(probe: &mut impl Probe) -> Rgb {
+    probe.came_back(Rgb::BLACK);
+    Rgb::BLACK
 }

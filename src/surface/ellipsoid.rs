@@ -261,13 +261,11 @@ impl Surface for Ellipsoid {
         self.image.as_ref().map(|image| &*image.texture)
     }
 
-    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
-        let Some(image) = &self.image else {
-            return *hit;
-        };
-        let on_sphere = direction(self.on_unit_sphere(&hit.point));
-        let texel = globe::texel(image, on_sphere);
-        Hit { texel, ..*hit }
+    fn settle(&self, hit: &mut Hit, _ray: &Ray) {
+        if let Some(image) = &self.image {
+            let on_sphere = direction(self.on_unit_sphere(&hit.point));
+            hit.texel = globe::texel(image, on_sphere);
+        }
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {

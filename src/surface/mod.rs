@@ -145,11 +145,9 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// Takes over the plane and the border lines that a flat surface shares with others.
     fn weld(&mut self, _plane: &Flat, _borders: &[Option<Line>]) {}
 
-    /// The hit of a ray that is seen, completed with the colour of the surface's texture, and moved
+    /// Completes the hit of a ray that is seen with the colour of the surface's texture, and moves it
     /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
-    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
-        *hit
-    }
+    fn settle(&self, _hit: &mut Hit, _ray: &Ray) {}
 
     /// The colour of the surface's texture in what a beam covers of it around a settled hit.
     fn texel_over(&self, hit: &Hit, _beam: &Beam, _filter: Filter) -> Rgb {
@@ -160,6 +158,11 @@ pub trait Surface: Send + Sync + fmt::Debug {
     #[doc(alias = "ambient")]
     fn getamb(&self, hit: &Hit) -> Rgb {
         self.common().material.ambient * hit.texel
+    }
+
+    /// The ambient reflectivity, if it is known to be the same at every hit.
+    fn plain_ambient(&self) -> Option<Rgb> {
+        None
     }
 
     /// The diffuse reflectivity at a hit.

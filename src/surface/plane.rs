@@ -125,6 +125,10 @@ impl Surface for Plane {
         self.flat = self.flat.welded(plane);
     }
 
+    fn plain_ambient(&self) -> Option<Rgb> {
+        Some(self.common.material.ambient)
+    }
+
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         self.flat.exact_distance(ray)
     }

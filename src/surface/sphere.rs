@@ -235,10 +235,10 @@ impl Surface for Sphere {
         self.image.as_ref().map(|image| &*image.texture)
     }
 
-    fn settle(&self, hit: &Hit, _ray: &Ray) -> Hit {
-        let image = self.image.as_ref();
-        let texel = image.map_or(Rgb::WHITE, |image| globe::texel(image, hit.normal));
-        Hit { texel, ..*hit }
+    fn settle(&self, hit: &mut Hit, _ray: &Ray) {
+        if let Some(image) = &self.image {
+            hit.texel = globe::texel(image, hit.normal);
+        }
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {

@@ -159,12 +159,11 @@ impl Surface for TexturePlane {
         Some(&self.image.texture)
     }
 
-    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &mut Hit, ray: &Ray) {
         let Rectangle { flat, frame, .. } = self.plane.rectangle();
         let exact = || frame.exact_offset(flat, ray);
         // The offset has the same roundings as the distance, and half as many again.
-        let (uv, texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
-        Hit { uv, texel, ..*hit }
+        (hit.uv, hit.texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {

@@ -214,12 +214,12 @@ impl Surface for TiledPlane {
         self.plane.occludes(segment, end)
     }
 
-    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
+    fn settle(&self, hit: &mut Hit, ray: &Ray) {
         if self.start == TileStart::Course {
-            return *hit;
+            return;
         }
         let Some(flat) = self.plane.flat() else {
-            return *hit;
+            return;
         };
         let [x, y] = &self.grids;
         let exact = |axis: usize| {
@@ -228,11 +228,10 @@ impl Surface for TiledPlane {
         };
         let reach = ray.size() + Point::exact(flat.point).size() + hit.t;
         let doubt = 3.0 * hit.error + FOOT * reach;
-        let uv = DVec2::new(
+        hit.uv = DVec2::new(
             x.settled(hit.uv.x, doubt, || exact(0)),
             y.settled(hit.uv.y, doubt, || exact(1)),
         );
-        Hit { uv, ..*hit }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

@@ -159,7 +159,8 @@ impl TextureMap {
     #[inline(always)]
     fn texel(&self, [column, row]: [f64; 2]) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
-        if self.wrap == Wrap::Repeat && column.abs().max(row.abs()) >= Grid::MOST_CELLS {
+        let is_lost = |place: f64| place.abs() >= Grid::MOST_CELLS;
+        if self.wrap == Wrap::Repeat && (is_lost(column) || is_lost(row)) {
             return self.texture.mean();
         }
         let column = self.wrap.index(column, width);

@@ -142,8 +142,9 @@ pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
 /// The first hit of a ray on a surface.
 pub(super) fn hit(surface: &dyn Surface, origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
     let ray = ray(origin, direction);
-    let hit = surface.hits(&ray, Span::AHEAD)?;
-    Some(surface.settle(&hit, &ray))
+    let mut hit = surface.hits(&ray, Span::AHEAD)?;
+    surface.settle(&mut hit, &ray);
+    Some(hit)
 }
 
 /// Compares with a colour computed on paper; a few roundings are allowed.

@@ -130,12 +130,15 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
         self.solid.meets(&Line::of(&segment.ray), counts).is_some()
     }
 
-    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
-        let texel = match &self.paint {
-            Paint::Own(anchor) => self.surface.settle(&anchored(hit, *anchor), ray).texel,
+    fn settle(&self, hit: &mut Hit, ray: &Ray) {
+        hit.texel = match &self.paint {
+            Paint::Own(anchor) => {
+                let mut own = anchored(hit, *anchor);
+                self.surface.settle(&mut own, ray);
+                own.texel
+            }
             paint => paint.texel(hit),
         };
-        Hit { texel, ..*hit }
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {

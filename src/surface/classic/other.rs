@@ -49,8 +49,8 @@ impl<T: Scalar> Surface for Other<'_, T> {
         self.hits(&segment.ray, before).is_some()
     }
 
-    fn settle(&self, hit: &Hit, ray: &Ray) -> Hit {
-        self.surface.settle(hit, ray)
+    fn settle(&self, hit: &mut Hit, ray: &Ray) {
+        self.surface.settle(hit, ray);
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {
