@@ -246,21 +246,6 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
 }
 
 impl<'a> Entry<'a> {
-    /// The hit of a ray from free space that can meet no other surface within its limits; as
-    /// [`SurfaceList::nearest`].
-    #[must_use]
-    #[inline(always)]
-    pub fn met_alone(&self, ray: &Ray, limits: &Limits<'_>) -> Option<Hit> {
-        let mut met = self.surface.hits(ray, limits.span());
-        if let Some(hit) = &mut met {
-            if !limits.hold(hit.t, hit.error, self.flat) {
-                return None;
-            }
-            self.surface.settle(hit, ray);
-        }
-        met
-    }
-
     /// What rays that leave the surface know of it.
     #[must_use]
     pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {

@@ -41,9 +41,11 @@ impl Slide {
     /// The colour of the slide where light from the lamp crosses it; `None` if it does not.
     #[must_use]
     pub fn color(&self, lamp: Point, direction: DVec3) -> Option<Rgb> {
-        let (_, _, offset) = self
-            .rectangle
-            .hits(&Ray::new(lamp, direction), Span::AHEAD)?;
+        let offset =
+            self.rectangle
+                .hits(&Ray::new(lamp, direction), Span::AHEAD, |_, _, offset| {
+                    offset
+                })?;
         Some(self.image.at(offset))
     }
 

@@ -97,24 +97,34 @@ impl Rectangle {
         &(&ExactVector::from(self.flat.point) + &x) + &y
     }
 
-    /// Where a ray crosses the rectangle: its distance, how far at most that is from the exact one,
-    /// and the offset from the corner along x and y in world units.
+    /// What `hit` makes of where a ray crosses the rectangle: its distance, how far at most that is
+    /// from the exact one, and the offset from the corner along x and y in world units.
     ///
     /// All four borders belong to the rectangle, but for those that a neighbour owns.
     #[must_use]
     #[inline(always)]
-    pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
+    pub fn hits<H>(&self, ray: &Ray, span: Span, hit: impl Fn(f64, f64, DVec2) -> H) -> Option<H> {
         match self.flat.certain_crossing(ray) {
-            Ok(crossing) => self.met(&crossing?, ray, span),
-            Err(InDoubt) => self.hits_in_doubt(ray, span),
+            Ok(crossing) => {
+                let (t, error, offset) = self.met(&crossing?, ray, span)?;
+                Some(hit(t, error, offset))
+            }
+            Err(InDoubt) => self.hits_in_doubt(ray, span, hit),
         }
     }
 
     /// As [`hits`](Self::hits), where rounded values leave doubt of the crossing.
     #[cold]
-    fn hits_in_doubt(&self, ray: &Ray, span: Span) -> Option<(f64, f64, DVec2)> {
+    #[inline(never)]
+    fn hits_in_doubt<H>(
+        &self,
+        ray: &Ray,
+        span: Span,
+        hit: impl Fn(f64, f64, DVec2) -> H,
+    ) -> Option<H> {
         let crossing = self.flat.doubtful_crossing(ray)?;
-        self.met(&crossing, ray, span)
+        let (t, error, offset) = self.met(&crossing, ray, span)?;
+        Some(hit(t, error, offset))
     }
 
     /// Where a ray that crosses the plane there meets the rectangle, if it does.
@@ -232,9 +242,7 @@ mod tests {
 
     fn hits(x: f64, y: f64) -> Option<DVec2> {
         let ray = Ray::new(Point::exact(DVec3::new(x, y, 1.0)), DVec3::NEG_Z);
-        unit_square()
-            .hits(&ray, Span::AHEAD)
-            .map(|(_, _, offset)| offset)
+        unit_square().hits(&ray, Span::AHEAD, |_, _, offset| offset)
     }
 
     #[test]

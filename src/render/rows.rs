@@ -88,10 +88,15 @@ impl<'a> Tracer<'a> {
                     } else {
                         camera.span(&ray)
                     };
-                    let (place, seed) = ([x, row.y], Seed::of_place(x, row.y));
-                    *pixel = match &mut entry.met_alone(&ray, &limits) {
-                        Some(hit) => self.shown(place, &ray, (entry, hit), seed, probe),
-                        None => nothing(probe),
+                    // It is changed in place, as copies of what was just written are slow.
+                    let mut met = entry.surface.hits(&ray, limits.span());
+                    *pixel = match &mut met {
+                        Some(hit) if limits.hold(hit.t, hit.error, entry.flat) => {
+                            entry.surface.settle(hit, &ray);
+                            let seed = Seed::of_place(x, row.y);
+                            self.shown([x, row.y], &ray, (entry, hit), seed, probe)
+                        }
+                        _ => nothing(probe),
                     };
                 }
             }
@@ -106,8 +111,8 @@ impl<'a> Tracer<'a> {
             *found = distances.along(stretch.row.dir(x));
         }
         let falloff = self.plan.scene.lighting.view_falloff;
-        for (pixel, distance) in pixels.iter_mut().zip(found) {
-            *pixel = (color / falloff.divisor(distance)).saturated() + Rgb::BLACK;
+        for (pixel, distance) in pixels.iter_mut().zip(&found) {
+            *pixel = (color / falloff.divisor(*distance)).saturated() + Rgb::BLACK;
         }
     }
 }

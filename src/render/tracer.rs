@@ -159,7 +159,7 @@ impl<'a> Tracer<'a> {
         let errors = if follows_errors {
             path.errors.at(ray, hit)
         } else {
-            path.errors
+            Errors::default()
         };
         probe.met(entry.index, hit, errors);
         let surface = entry.surface;

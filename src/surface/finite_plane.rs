@@ -97,12 +97,10 @@ impl FinitePlane {
 
 impl Surface for FinitePlane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let (t, error, uv) = self.rectangle.hits(ray, span)?;
-        let point = self.rectangle.point(uv);
-        Some(Hit {
+        self.rectangle.hits(ray, span, |t, error, uv| Hit {
             t,
             error,
-            point,
+            point: self.rectangle.point(uv),
             normal: self.rectangle.flat.normal,
             uv,
             texel: Rgb::WHITE,

@@ -92,6 +92,17 @@ impl TexturePlane {
     }
 }
 
+impl TexturePlane {
+    /// Settles a hit whose offset is off by as much as `doubt`, which may be another texel's.
+    #[cold]
+    fn settle_in_doubt(&self, hit: &mut Hit, doubt: f64, ray: &Ray) {
+        let Rectangle { flat, frame, .. } = self.plane.rectangle();
+        let exact = || frame.exact_offset(flat, ray);
+        hit.uv = self.image.settled(hit.uv, doubt, exact);
+        hit.texel = self.image.at(hit.uv);
+    }
+}
+
 /// One number for a square texel, two in quotes for another.
 fn number_or_pair([x, y]: [f64; 2]) -> Value {
     if x.to_bits() == y.to_bits() {
@@ -160,10 +171,12 @@ impl Surface for TexturePlane {
     }
 
     fn settle(&self, hit: &mut Hit, ray: &Ray) {
-        let Rectangle { flat, frame, .. } = self.plane.rectangle();
-        let exact = || frame.exact_offset(flat, ray);
         // The offset has the same roundings as the distance, and half as many again.
-        (hit.uv, hit.texel) = self.image.met(hit.uv, 3.0 * hit.error, exact);
+        let doubt = 3.0 * hit.error;
+        match self.image.certain_texel(hit.uv, doubt) {
+            Some(texel) => hit.texel = texel,
+            None => self.settle_in_doubt(hit, doubt, ray),
+        }
     }
 
     fn texel_over(&self, hit: &Hit, beam: &Beam, filter: Filter) -> Rgb {

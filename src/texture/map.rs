@@ -58,28 +58,31 @@ impl TextureMap {
         self.texel([x.cell(offset.x), y.cell(offset.y)])
     }
 
-    /// The offset and colour that a ray meets, if the offset is rounded: moved as little as possible
-    /// into the texel that the `exact` offset is in. `doubt` is how far at most it is from that.
+    /// The colour at an offset that may be off by as much as `doubt`, if that leaves no doubt.
     #[must_use]
-    pub fn met(
+    #[inline(always)]
+    pub fn certain_texel(&self, offset: DVec2, doubt: f64) -> Option<Rgb> {
+        let [x, y] = &self.grids;
+        let column = x.certain_cell(offset.x, doubt)?;
+        let row = y.certain_cell(offset.y, doubt)?;
+        Some(self.texel([column, row]))
+    }
+
+    /// An offset that is off by at most `doubt`, moved as little as possible into the texel that the
+    /// `exact` one is in.
+    #[must_use]
+    pub fn settled(
         &self,
         offset: DVec2,
         doubt: f64,
         exact: impl Fn() -> Option<[RBig; 2]>,
-    ) -> (DVec2, Rgb) {
+    ) -> DVec2 {
         let [x, y] = &self.grids;
-        if let (Some(column), Some(row)) = (
-            x.certain_cell(offset.x, doubt),
-            y.certain_cell(offset.y, doubt),
-        ) {
-            return (offset, self.texel([column, row]));
-        }
         let along = |axis: usize| exact().map_or(RBig::ZERO, |[x, y]| [x, y][axis].clone());
-        let offset = DVec2::new(
+        DVec2::new(
             x.settled(offset.x, doubt, || along(0)),
             y.settled(offset.y, doubt, || along(1)),
-        );
-        (offset, self.at(offset))
+        )
     }
 
     /// The colour of what a pixel covers of a rectangle of this size that wears the texture, by any
