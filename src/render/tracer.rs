@@ -176,14 +176,8 @@ impl<'a> Tracer<'a> {
             return color;
         }
         let departure = entry.departure(ray, hit);
-        let mut local = self.local_color(ray, entry, &departure, hit, probe);
-        let mut of_lamps = Rgb::BLACK;
-        if !self.plan.lamp_views.is_empty() {
-            of_lamps = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
-            local = (local + of_lamps).saturated();
-        }
-        let mut color = (local / divisor).saturated();
-        probe.own_color(color, of_lamps / divisor);
+        let lit = (&departure, divisor, path.seed);
+        let mut color = self.own_color(ray, (entry, hit), lit, probe);
         if !sends_on {
             probe.came_back(color);
             return color;
