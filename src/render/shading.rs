@@ -41,7 +41,8 @@ impl Tracer<'_> {
         probe: &mut impl Probe,
     ) -> Rgb {
         let surface = entry.surface;
-        let mut color = surface.getamb(hit);
+        // A sum, which is kept where sums are made, and not where the answer was written.
+        let mut color = surface.getamb(hit) + Rgb::BLACK;
         if self.plan.scene.lights.is_empty() {
             return color;
         }

@@ -113,6 +113,7 @@ fn number_or_pair([x, y]: [f64; 2]) -> Value {
 }
 
 impl Surface for TexturePlane {
+    #[inline(always)]
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         self.plane.hits(ray, span)
     }
