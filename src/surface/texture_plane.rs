@@ -113,9 +113,13 @@ fn number_or_pair([x, y]: [f64; 2]) -> Value {
 }
 
 impl Surface for TexturePlane {
-    #[inline(always)]
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
         self.plane.hits(ray, span)
+    }
+
+    fn meetings(&self, rays: &[Ray], met: &mut [Option<Hit>]) {
+        self.plane.meetings(rays, met);
+        self.settle_all(rays, met);
     }
 
     fn common(&self) -> &Common {
