@@ -42,7 +42,7 @@ const CLEARLY: f64 = 1_048_576.0;
 
 /// How much further than a limit all rays of a fan have to cross a plane to be decided at once: by far
 /// more than the distances can be off by, which `CLEARLY` sees to.
-const BEYOND: f64 = 1.0 + 1.0 / 1024.0;
+const BEYOND: f64 = 1.0 + 1.0 / 512.0;
 
 impl Flat {
     /// Where the rays of a fan cross the plane; what is not below a `screen` across the z axis does not
@@ -103,7 +103,7 @@ impl Distances {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{Limits, Point, Span, direction, scramble};
+    use crate::math::{Limits, Point, direction, scramble};
 
     /// Numbers from −1 up to 1, the same on every run.
     fn numbers() -> impl FnMut() -> f64 {
