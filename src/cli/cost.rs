@@ -143,7 +143,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
     };
     let reference = (options.reference.as_os_str() != "auto").then(|| {
         let path = &options.reference;
-        Reference::from_file(path, [base.width, base.height]).map_err(|error| {
+        Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
             let error = format!("cannot compare with {}: {error}", path.display());
             Failure::new(Status::Io, error, messages)
         })

@@ -4,7 +4,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::camera::Pattern;
-use crate::film::Rounding;
+use crate::film::{Rounding, Transfer};
 use crate::math::Numerics;
 use crate::scene::Setting;
 use crate::texture::Filter;
@@ -22,10 +22,13 @@ pub(super) struct Dials {
     /// Add rays to each pixel until its error is probably no larger, such as 2/255 of white.
     #[arg(long, value_name = "E", value_parser = number("max-error"))]
     max_error: Option<Setting>,
-    /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
+    /// How much of white a pixel may lack because mirrored and transmitted rays are not followed.
     #[arg(long, value_name = "X", value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
-    /// How intensities become code values.
+    /// The curve from intensities to code values; PFM files, which hold intensities, have none.
+    #[arg(long, value_name = "WORD", value_parser = word("transfer", &Transfer::WORDS))]
+    transfer: Option<Setting>,
+    /// How they are rounded to code values.
     #[arg(long, value_name = "WORD", value_parser = word("quantize", &Rounding::WORDS))]
     quantize: Option<Setting>,
     /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
@@ -44,6 +47,7 @@ impl Dials {
             &self.pattern,
             &self.max_error,
             &self.cut_off,
+            &self.transfer,
             &self.quantize,
             &self.numerics,
             &self.texture_filter,

@@ -198,7 +198,7 @@ fn picture<'a>(
             let (film, certificate): (_, Certificate) =
                 render::observed_part(&read, scope, part, &progress)?;
             let report = certificate::report(&certificate, &read, &film);
-            let print = Print::of(&film, output.format, read.picture.rounding);
+            let print = Print::of(&film, output.format, read.picture.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;
             return Ok((print, certificate.counts, Some(report)));
         }

@@ -91,7 +91,7 @@ impl<'a> Tracer<'a> {
         let plan = self.plan;
         let mut budget = Budget {
             rays: MOST_BOUNCES,
-            light: plan.scene.picture.cut_off,
+            light: plan.scene.picture.missing_light(),
         };
         let beam = plan.filter.map(|_| self.beam(x, y));
         let path = Path {
