@@ -12,8 +12,8 @@ pub enum Transfer {
     Srgb,
 }
 
-/// How far from a threshold between two code values a value is rounded right: far more than what a
-/// power and two roundings are off, for each curve.
+/// How far from a threshold between two code values a value is rounded right: far more than what
+/// roots and roundings are off, for each curve.
 const CLOSE: [f64; 2] = [1.0 / 137_438_953_472.0, 1.0 / 1_048_576.0];
 
 impl Transfer {
@@ -41,7 +41,11 @@ impl Transfer {
         match self {
             Self::None => intensity,
             Self::Srgb if intensity <= 0.003_130_8 => 12.92 * intensity,
-            Self::Srgb => 1.055 * libm::pow(intensity, 1.0 / 2.4) - 0.055,
+            Self::Srgb => {
+                // The power 1/2.4 = 1/3 + 1/12, which takes half as long this way.
+                let root = libm::cbrt(intensity);
+                1.055 * (root * root.sqrt().sqrt()) - 0.055
+            }
         }
     }
 
