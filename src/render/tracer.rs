@@ -114,7 +114,7 @@ impl<'a> Tracer<'a> {
     ) -> Rgb {
         let mut budget = Budget {
             rays: MOST_BOUNCES,
-            light: self.plan.scene.picture.cut_off,
+            light: self.plan.scene.picture.missing_light(),
         };
         let beam = self.plan.filter.map(|_| self.beam(x, y));
         let path = Path {

@@ -122,12 +122,12 @@ impl Subject {
         Ok(film)
     }
 
-    /// The picture as it is compared: as it is written if the rung is about that.
+    /// The picture as it is compared: as it is shown, or as it is written if the rung is about that.
     pub(super) fn as_compared(&self, film: Film) -> Film {
         if self.rung.is_as_written() {
             written(&film, self.rung.picture)
         } else {
-            film
+            film.shown(self.rung.picture.transfer)
         }
     }
 

@@ -157,7 +157,7 @@ fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>,
         let (film, _) = draw(scene, best)?;
         twins.push(Twin {
             dial: dial.word,
-            film,
+            film: film.shown(best.transfer),
         });
     }
     Ok(twins)
