@@ -157,7 +157,7 @@ impl<'a> Tracer<'a> {
         let hit = &*hit;
         let follows_errors = probe.follows_errors();
         let errors = if follows_errors {
-            path.errors.at(ray, hit)
+            path.errors.at(ray, hit, entry.surface)
         } else {
             Errors::default()
         };
