@@ -250,11 +250,11 @@ fn json_csv_plot_and_page_have_every_rung() {
 
     let csv = read("it.csv");
     assert!(
-        csv.starts_with("rung,dial,value,cpu,cpu_mad,wall,wall_mad,rays,"),
+        csv.starts_with("rung,dial,value,runs,cpu,cpu_mad,wall,wall_mad,rays,"),
         "{csv}"
     );
     assert_eq!(csv.lines().count(), 4);
-    assert!(csv.contains("\nsamples=4,samples,4,"), "{csv}");
+    assert!(csv.contains("\nsamples=4,samples,4,1,"), "{csv}");
 
     let plot = read("it.svg");
     assert!(plot.starts_with("<svg xmlns="), "{plot}");

@@ -34,7 +34,8 @@ pub(super) struct Options {
     /// What to compare with: a PNG, PPM or PFM file, or `auto`, the best picture that there is.
     #[arg(long, value_name = "FILE", default_value = "auto")]
     reference: PathBuf,
-    /// How often to draw everything; the times are medians.
+    /// How often to draw each setting at most; times are medians. One is drawn no more when the
+    /// median deviation of its times is a fiftieth.
     #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     #[command(flatten)]

@@ -78,7 +78,11 @@ fn first_certain(side: f64, height: f64) -> f64 {
     let is_certain = |place: f64| {
         let from = DVec3::new(place, place, height);
         let before = Decisions::of_this_thread();
-        let hit = square.hits(&Ray::new(Point::exact(from), DVec3::NEG_Z), Span::AHEAD);
+        let hit = square.hits(
+            &Ray::new(Point::exact(from), DVec3::NEG_Z),
+            Span::AHEAD,
+            |t, _, _| t,
+        );
         assert!(hit.is_some(), "{place}");
         Decisions::of_this_thread() == before
     };
