@@ -10,7 +10,7 @@ mod random;
 
 use heliodon::accel::{Accelerator, LightView, SurfaceList};
 use heliodon::film::Film;
-use heliodon::math::{Departure, Point, Ray, Segment, Span, unit};
+use heliodon::math::{Point, Ray, Segment, Span, unit};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, drawn};
@@ -101,7 +101,7 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
                 return met[1].is_some();
             };
             let entry = &list.entries()[index];
-            let departure = Departure::new(entry.sheet(), &ray, hit.point, hit.error);
+            let departure = entry.departure(&ray, &hit);
             let bounced = Ray::leaving(&departure, ray.mirrored(hit.normal));
             let then = [&list, &tree].map(|found| {
                 let met = found.nearest(&bounced, Span::AHEAD, &mut 0);

@@ -33,7 +33,7 @@ struct Allowed {
     reason: &'static str,
 }
 
-const ALLOWED: [Allowed; 10] = [
+const ALLOWED: [Allowed; 9] = [
     Allowed {
         file: "math/band.rs",
         line: "pub const UNIT: f64 = f64::EPSILON / 2.0;",
@@ -68,11 +68,6 @@ const ALLOWED: [Allowed; 10] = [
         file: "math/vector.rs",
         line: "vector * 2f64.powi(-600)",
         reason: "that power of two; scaling by it is exact",
-    },
-    Allowed {
-        file: "accel/receivers.rs",
-        line: "const MARGIN: f64 = 1.0 / 1_048_576.0;",
-        reason: "an angle between a shadow's cone and what it passes by; nearer, shadows are tested",
     },
     Allowed {
         file: "scene/lighting.rs",

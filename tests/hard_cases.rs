@@ -13,6 +13,8 @@
 mod aimed;
 #[path = "hard_cases/cases.rs"]
 mod cases;
+#[path = "hard_cases/codes.rs"]
+mod codes;
 #[path = "hard_cases/loading.rs"]
 mod loading;
 #[path = "hard_cases/numbers.rs"]

@@ -100,7 +100,7 @@ fn only_robust_pictures_may_be_moved() {
         };
         let scene = read(text, &options);
         let (film, _) = render(&scene, &|_| ()).expect("a picture");
-        film.bytes(scene.picture.rounding)
+        film.bytes(scene.picture.encoding())
     };
     let robust = Numerics::Robust;
     assert!(film(SCENE, robust) == film(&moved, robust));

@@ -13,8 +13,14 @@ mod oracle {
     pub(crate) mod tally;
     pub(crate) mod truth;
 
+    mod balls;
+    mod chance;
     mod closed;
     mod equality;
+    mod place;
+    mod proofs;
+    mod search;
     mod shades;
+    mod unit_vectors;
     mod values;
 }

@@ -48,6 +48,8 @@ pub struct Entry<'a> {
     pub flat: Option<&'a Flat>,
     /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
     pub is_entered: bool,
+    /// How far a hit point may be off, in units of the error of its distance.
+    slip: f64,
     /// Whether rays that meet it cause others.
     pub sends_on: bool,
     /// All that can be seen of it without light, if that is the same wherever rays cross its plane: it
@@ -144,6 +146,7 @@ fn entries<'a>(
                 && surface.common().material.is_entered()
                 // A sheet has the number of the first surface on it.
                 && support.is_some_and(|Support(first)| first as usize == index),
+            slip: surface.slip(),
             sends_on: surface.common().material.sends_on(),
             plain: surface.plain_ambient().filter(|_| {
                 let is_endless = surface.flat().is_some() && surface.outline().is_empty();
@@ -267,7 +270,8 @@ impl<'a> Entry<'a> {
     where
         'a: 'b,
     {
-        let mut departure = Departure::new(self.sheet(), arriving, hit.point, hit.error);
+        let mut departure =
+            Departure::new(self.sheet(), arriving, hit.point, self.slip * hit.error);
         if self.is_entered {
             let normal = hit.normal;
             departure.curve = self.surface.round().map(|round| Curve { round, normal });

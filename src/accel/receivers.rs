@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::Entry;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
-use crate::math::{Bounds, Flat, Point, Side, Support};
+use crate::math::{Ball, Bounds, Flat, Point, Side, Support};
 use crate::surface::{Shape, Surface};
 
 /// A surface as the side of others that light comes from, and that shadows fall on.
@@ -151,32 +151,18 @@ impl Body {
 
     /// Whether another surface certainly lies outside of the cone from a light around this one.
     fn cone_passes_by(&self, light: DVec3, other: &Self) -> bool {
-        // 2⁻²⁰ rad: far more than the angles below can be off by, and nothing to speak of in a
-        // scene. Smaller, and rounding could take a shadow away; larger, and more is tested in vain.
-        const MARGIN: f64 = 1.0 / 1_048_576.0;
-        let (Some((center, radius)), Some((place, reach))) = (self.ball(), other.ball()) else {
+        let (Some(own), Some(other)) = (self.ball(), other.ball()) else {
             return false;
         };
-        let (to_center, to_place) = (center - light, place - light);
-        let (near, far) = (to_center.length(), to_place.length());
-        let size = [center, place, light].map(|point| Point::exact(point).size());
-        let blur = 64.0 * UNIT * size.iter().sum::<f64>();
-        // Next to a ball the angle changes fast, and rounding counts for more.
-        let clear = radius < 0.9 * near && reach < 0.9 * far;
-        if !(clear && blur < MARGIN / 16.0 * near.min(far)) {
-            return false;
-        }
-        let cosine = (to_center.dot(to_place) / (near * far)).clamp(-1.0, 1.0);
-        let apart = libm::acos(cosine) - libm::asin(radius / near) - libm::asin(reach / far);
-        apart > MARGIN
+        own.cone_from(light)
+            .is_some_and(|(axis, half_angle)| other.is_outside(light, axis, half_angle))
     }
 
     /// A ball around it, if it has an end.
-    fn ball(&self) -> Option<(DVec3, f64)> {
+    fn ball(&self) -> Option<Ball> {
         let hull = self.hull.as_ref()?;
         let bounds = Bounds::around(hull.iter().map(|(_, rounded)| *rounded));
-        let center = bounds.min.midpoint(bounds.max);
-        Some((center, (bounds.max - center).length()))
+        Some(Ball::around(&bounds))
     }
 
     /// Whether another surface is certainly on the outer side of the planes through one border of

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::messages::{Messages, problems_json};
+use super::messages::{Json, Messages, problems_json};
 use super::{Status, input, welds};
 use crate::measure;
 
@@ -18,9 +18,8 @@ pub(super) struct Options {
     scenes: Vec<PathBuf>,
     #[command(flatten)]
     format: input::SceneFormat,
-    /// Print the answers as JSON on standard output, one line for each scene.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
@@ -44,7 +43,14 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
             };
             let text = format!("{name}: {verdict}\n");
             let json = failure.json(scene);
-            return messages.result(if options.json { &json } else { &text }, failure.status);
+            return messages.result(
+                if options.json.is_asked() {
+                    &json
+                } else {
+                    &text
+                },
+                failure.status,
+            );
         }
     };
     let warnings = measure::check(&reading.scene);
@@ -56,7 +62,7 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
         1 => "ok, 1 warning".to_owned(),
         many => format!("ok, {many} warnings"),
     };
-    let text = if options.json {
+    let text = if options.json.is_asked() {
         let json = serde_json::json!({
             "scene": name,
             "exit": Status::Done.code(),

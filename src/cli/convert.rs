@@ -15,18 +15,15 @@ use crate::texture::Texture;
 /// written out. Includes are inserted, comments and textures that nothing wears are left out.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// Scene file; `-` is standard input.
-    #[arg(value_name = "SCENE")]
-    scene: PathBuf,
     #[command(flatten)]
-    format: input::SceneFormat,
+    input: input::OneScene,
     /// The KDL file to write; `-` is standard output.
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+    let reading = match options.input.read(messages) {
         Ok(reading) => reading,
         Err(failure) => return failure.status,
     };
@@ -39,7 +36,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         return messages.result(&write(Path::new("")), Status::Done);
     }
     let output = options.output.display();
-    if let Some(part) = input::part_at(&options.output, &options.scene, &reading.scene) {
+    if let Some(part) = input::part_at(&options.output, &options.input.scene, &reading.scene) {
         messages.error(&format!(
             "error: {output} would replace {part}, which the scene is made of"
         ));
@@ -50,7 +47,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         messages.error(&format!("error: cannot write {output}: {error}"));
         return Status::Io;
     }
-    messages.note(&format!("{} -> {output}", input::title(&options.scene)));
+    messages.note(&format!("{} -> {output}", options.input.title()));
     Status::Done
 }
 

@@ -6,12 +6,13 @@ use clap::Args;
 
 use super::dials::Dials;
 use super::input::Failure;
-use super::messages::{Messages, problems_json};
-use super::{Status, input, progress, render};
+use super::messages::{Json, Messages, problems_json};
+use super::threads::Threads;
+use super::{Status, input, progress};
 use crate::film::save;
 use crate::language::Refusal;
 use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
-use crate::read::{self, Reading};
+use crate::read::Reading;
 use crate::scene::Scene;
 
 /// Measures what accuracy costs in time: settings of a scene, each against a reference.
@@ -20,14 +21,8 @@ use crate::scene::Scene;
 /// picture and the number of rays are the same in every run; times are not.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// Scene file; `-` is standard input.
-    #[arg(value_name = "SCENE")]
-    scene: PathBuf,
     #[command(flatten)]
-    format: input::SceneFormat,
-    /// Size of the picture in pixels, such as 800x600, instead of the scene's.
-    #[arg(long, value_name = "WxH", value_parser = render::size)]
-    size: Option<[u32; 2]>,
+    input: input::OneScene,
     #[command(flatten)]
     dials: Dials,
     /// Try these values of a property of `image`; may be given for several.
@@ -39,12 +34,12 @@ pub(super) struct Options {
     /// What to compare with: a PNG, PPM or PFM file, or `auto`, the best picture that there is.
     #[arg(long, value_name = "FILE", default_value = "auto")]
     reference: PathBuf,
-    /// How often to draw everything; the times are medians.
+    /// How often to draw each setting at most; times are medians. One is drawn no more when the
+    /// median deviation of its times is a fiftieth.
     #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
-    /// Threads to render with; all processors if not given.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Name the cheapest settings that are this good, such as rmse=1e-3, max=1, off=0.01, psnr=40
     /// or ssim=0.99; exit code 1 if none are.
     #[arg(long, value_name = "WHAT=X", value_parser = Limit::new)]
@@ -53,9 +48,8 @@ pub(super) struct Options {
     /// none do.
     #[arg(long, value_name = "TIME", value_parser = seconds)]
     budget: Option<f64>,
-    /// Print the answer as JSON on standard output.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
     /// Write the table as comma-separated values.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
@@ -83,8 +77,8 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     match answer(options, messages) {
         Ok((text, status)) => messages.result(&text, status),
-        Err(failure) if options.json => {
-            messages.result(&failure.json(&options.scene), failure.status)
+        Err(failure) if options.json.is_asked() => {
+            messages.result(&failure.json(&options.input.scene), failure.status)
         }
         Err(failure) => failure.status,
     }
@@ -92,18 +86,14 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 
 /// What is printed, and how it ends.
 fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Failure> {
-    let reader = read::Options {
-        size: options.size,
-        settings: options.dials.settings(),
-        ..options.format.options()
-    };
-    let mut reading = input::read(&options.scene, &reader, messages)?;
+    let reader = options.dials.added_to(options.input.options());
+    let mut reading = input::read(&options.input.scene, &reader, messages)?;
     check_outputs(options, &reading.scene, messages)?;
-    let threads = options.threads.map_or(0, usize::from);
-    let pool = render::pool(threads).map_err(|error| Failure::new(Status::Io, error, messages))?;
+    let pool = options.threads.pool();
+    let pool = pool.map_err(|error| Failure::new(Status::Io, error, messages))?;
     let cost = pool.install(|| measured(options, &mut reading.scene, messages))?;
     write(options, &cost, messages)?;
-    let title = input::title(&options.scene);
+    let title = options.input.title();
     let target = options.target.map(|limit| cost.cheapest(limit));
     let budget = options.budget.map(|budget| cost.within(budget));
     let asked = [("target", target), ("budget", budget)];
@@ -111,7 +101,7 @@ fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Fa
         .iter()
         .any(|(_, best)| best.as_ref().is_some_and(|best| best.label.is_none()));
     let status = if unmet { Status::No } else { Status::Done };
-    let text = if options.json {
+    let text = if options.json.is_asked() {
         json(&title, status, &reading, &cost, &asked)
     } else {
         let asked = asked
@@ -126,7 +116,7 @@ fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Fa
 }
 
 fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result<Cost, Failure> {
-    let title = input::title(&options.scene);
+    let title = options.input.title();
     let refused = |refusal: Refusal| {
         let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
         Failure::new(Status::BadInput, error, messages)
@@ -143,7 +133,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
     };
     let reference = (options.reference.as_os_str() != "auto").then(|| {
         let path = &options.reference;
-        Reference::from_file(path, [base.width, base.height]).map_err(|error| {
+        Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
             let error = format!("cannot compare with {}: {error}", path.display());
             Failure::new(Status::Io, error, messages)
         })
@@ -182,8 +172,8 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
                 Status::Usage,
                 format!("{} would be written twice", output.display()),
             )
-        } else if let Some(part) = input::part_at(output, &options.scene, scene) {
-            let title = input::title(&options.scene);
+        } else if let Some(part) = input::part_at(output, &options.input.scene, scene) {
+            let title = options.input.title();
             let error = format!(
                 "{} would replace {part}, which {title} is made of",
                 output.display()
@@ -203,7 +193,7 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
 }
 
 fn write(options: &Options, cost: &Cost, messages: &Messages) -> Result<(), Failure> {
-    let title = input::title(&options.scene);
+    let title = options.input.title();
     let cannot = |path: &Path, error: &dyn std::fmt::Display| {
         let error = format!("cannot write {}: {error}", path.display());
         Failure::new(Status::Io, error, messages)

@@ -1,18 +1,22 @@
-//! The accuracy dials: what of the picture the command line says instead of the scene.
+//! What of the picture the command line says instead of the scene: its size and the accuracy dials.
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::camera::Pattern;
-use crate::film::Rounding;
+use crate::film::{Rounding, Transfer};
 use crate::math::Numerics;
-use crate::scene::Setting;
+use crate::read;
+use crate::scene::{Picture, Setting};
 use crate::texture::Filter;
 
 /// Settings of the `image` node.
 #[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "Accuracy, instead of what the scene says")]
+#[command(next_help_heading = "The picture, instead of what the scene says")]
 pub(super) struct Dials {
+    /// Width and height in pixels, such as 800x600.
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
     /// Rays through each pixel.
     #[arg(long, value_name = "N", value_parser = number("samples"))]
     samples: Option<Setting>,
@@ -22,10 +26,13 @@ pub(super) struct Dials {
     /// Add rays to each pixel until its error is probably no larger, such as 2/255 of white.
     #[arg(long, value_name = "E", value_parser = number("max-error"))]
     max_error: Option<Setting>,
-    /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed.
+    /// How much of white a pixel may lack because mirrored and transmitted rays are not followed.
     #[arg(long, value_name = "X", value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
-    /// How intensities become code values.
+    /// The curve from intensities to code values; PFM files, which hold intensities, have none.
+    #[arg(long, value_name = "WORD", value_parser = word("transfer", &Transfer::WORDS))]
+    transfer: Option<Setting>,
+    /// How they are rounded to code values.
     #[arg(long, value_name = "WORD", value_parser = word("quantize", &Rounding::WORDS))]
     quantize: Option<Setting>,
     /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
@@ -37,18 +44,23 @@ pub(super) struct Dials {
 }
 
 impl Dials {
-    /// What is said, in the order of the fields.
-    pub(super) fn settings(&self) -> Vec<Setting> {
+    /// The reader's options with what is said.
+    pub(super) fn added_to(&self, options: read::Options) -> read::Options {
         let all = [
             &self.samples,
             &self.pattern,
             &self.max_error,
             &self.cut_off,
+            &self.transfer,
             &self.quantize,
             &self.numerics,
             &self.texture_filter,
         ];
-        all.into_iter().flatten().cloned().collect()
+        read::Options {
+            size: self.size,
+            settings: all.into_iter().flatten().cloned().collect(),
+            ..options
+        }
     }
 }
 
@@ -63,4 +75,16 @@ fn word(
     words: &'static [&'static str],
 ) -> impl TypedValueParser<Value = Setting> {
     PossibleValuesParser::new(words).try_map(move |text| Setting::new(property, &text))
+}
+
+/// A width and a height from `800x600`.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text
+        .split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| {
+            Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
+        });
+    let sides = sides.ok_or("expected width and height, such as 800x600")?;
+    Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
+    Ok(sides)
 }

@@ -1,6 +1,6 @@
 //! `heliodon dump`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 
@@ -12,15 +12,12 @@ use super::{Status, convert::name_from, input};
 /// This is the chapter's `dump_obj`; what it prints renders to the same picture.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// Scene file; `-` is standard input.
-    #[arg(value_name = "SCENE")]
-    scene: PathBuf,
     #[command(flatten)]
-    format: input::SceneFormat,
+    input: input::OneScene,
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+    let reading = match options.input.read(messages) {
         Ok(reading) => reading,
         Err(failure) => return failure.status,
     };

@@ -1,12 +1,11 @@
 //! `heliodon explain`.
 
-use std::path::PathBuf;
-
 use clap::Args;
 
 use super::input::Failure;
-use super::messages::{Messages, problems_json};
-use super::{Status, explanation, input, progress, render, story};
+use super::messages::{Json, Messages, problems_json};
+use super::threads::Threads;
+use super::{Status, explanation, input, progress, story};
 use crate::language::Refusal;
 use crate::measure::{self, Prices};
 use crate::read::Reading;
@@ -18,11 +17,8 @@ use crate::scene::Scene;
 /// bytes. The rays are estimated from some of the pixels; --measure counts them.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// Scene file; `-` is standard input.
-    #[arg(value_name = "SCENE")]
-    scene: PathBuf,
     #[command(flatten)]
-    format: input::SceneFormat,
+    input: input::OneScene,
     /// Tell how one pixel comes by its colour instead: column and row, from 0, from the top left.
     #[arg(long, value_name = "X,Y", value_parser = pixel, conflicts_with = "measure")]
     pixel: Option<[u32; 2]>,
@@ -35,9 +31,8 @@ pub(super) struct Options {
     /// How often to draw everything for the prices.
     #[arg(long, value_name = "N", default_value = "5", requires = "prices", value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
-    /// Print the answer as JSON on standard output.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
 }
 
 /// A column and a row from `12,34`.
@@ -49,14 +44,14 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let reading = match input::read(&options.scene, &options.format.options(), messages) {
+    let reading = match options.input.read(messages) {
         Ok(reading) => reading,
-        Err(failure) if options.json => {
-            return messages.result(&failure.json(&options.scene), failure.status);
+        Err(failure) if options.json.is_asked() => {
+            return messages.result(&failure.json(&options.input.scene), failure.status);
         }
         Err(failure) => return failure.status,
     };
-    let pool = match render::pool(0) {
+    let pool = match Threads::ALL.pool() {
         Ok(pool) => pool,
         Err(error) => {
             messages.error(&format!("error: {error}"));
@@ -66,7 +61,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     match pool.install(|| answer(options, &reading, messages)) {
         Ok(text) => messages.result(&text, Status::Done),
         Err(refusal) => {
-            let title = input::title(&options.scene);
+            let title = options.input.title();
             let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
             let status = if options.pixel.is_some() {
                 Status::Usage
@@ -74,8 +69,8 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
                 Status::BadInput
             };
             let failure = Failure::new(status, error, messages);
-            if options.json {
-                return messages.result(&failure.json(&options.scene), failure.status);
+            if options.json.is_asked() {
+                return messages.result(&failure.json(&options.input.scene), failure.status);
             }
             failure.status
         }
@@ -84,7 +79,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 
 /// What is printed, if the scene can be rendered.
 fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, Refusal> {
-    let (scene, title) = (&reading.scene, input::title(&options.scene));
+    let (scene, title) = (&reading.scene, options.input.title());
     let as_json = |value: serde_json::Value| {
         let line = serde_json::json!({
             "scene": title,
@@ -99,7 +94,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     };
     if let Some(pixel) = options.pixel {
         let story = measure::transcript(scene, pixel)?;
-        return Ok(if options.json {
+        return Ok(if options.json.is_asked() {
             as_json(serde_json::json!(story))
         } else {
             story::text(&story, scene, &title)
@@ -108,7 +103,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     let explanation = measure::explain(scene, options.measure)?;
     let prices = options.prices.then(|| prices(scene, options, messages));
     let prices = prices.transpose()?;
-    if options.json {
+    if options.json.is_asked() {
         let mut answer = serde_json::json!(explanation);
         if let Some(prices) = prices {
             answer["prices"] = serde_json::json!(prices);
@@ -128,7 +123,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
 
 /// What the effects of a scene cost.
 fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, Refusal> {
-    let bar = progress::bar(&input::title(&options.scene), 0, messages);
+    let bar = progress::bar(&options.input.title(), 0, messages);
     let prices = measure::prices(scene, options.runs, &|drawn, of| {
         bar.set_length(of as u64);
         bar.set_position(drawn as u64);

@@ -58,9 +58,9 @@ fn effect(out: &mut String, row: &EffectRow, title: &str, is_exact: bool) -> std
         _ => String::new(),
     };
     let effect = row.effect.title();
-    writeln!(out, "  {effect:<14}{switch:<5}{}{cost}", row.why)?;
+    writeln!(out, "  {effect:<15}{switch:<5}{}{cost}", row.why)?;
     let things = row.because_of.iter().map(|thing| placed(thing, title));
-    list(out, "because of ", things.collect(), 21)
+    list(out, "because of ", things.collect(), 22)
 }
 
 fn light(

@@ -28,6 +28,33 @@ enum LanguageWord {
     Course,
 }
 
+/// The scene that a command is about.
+#[derive(Debug, Args)]
+pub(super) struct OneScene {
+    /// Scene file; `-` is standard input.
+    #[arg(value_name = "SCENE")]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    format: SceneFormat,
+}
+
+impl OneScene {
+    /// The reader's options.
+    pub(super) fn options(&self) -> Options {
+        self.format.options()
+    }
+
+    /// Reads it with no other options than its own.
+    pub(super) fn read(&self, messages: &Messages) -> Result<Reading, Failure> {
+        read(&self.scene, &self.options(), messages)
+    }
+
+    /// What messages call it.
+    pub(super) fn title(&self) -> String {
+        title(&self.scene)
+    }
+}
+
 /// Reads a scene; what is wrong with it is shown, and gives the status to end with.
 pub(super) fn read(
     scene: &Path,

@@ -2,10 +2,25 @@
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
+use clap::Args;
 use serde_json::{Value, json};
 
 use super::{Color, Global, Status};
 use crate::language::{Problem, Severity, Sources, render_problems};
+
+/// Whether results are for programs.
+#[derive(Debug, Clone, Copy, Args)]
+pub(super) struct Json {
+    /// Print the answer as JSON on standard output, one line for each scene.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Json {
+    pub(super) fn is_asked(self) -> bool {
+        self.json
+    }
+}
 
 /// How much to say, and how.
 #[derive(Debug)]

@@ -19,6 +19,7 @@ mod render;
 mod stats;
 mod status;
 mod story;
+mod threads;
 mod welds;
 
 use std::process::ExitCode;

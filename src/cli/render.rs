@@ -10,8 +10,9 @@ use rayon::prelude::*;
 use super::certificate::{self, Report};
 use super::dials::Dials;
 use super::input::Failure;
-use super::messages::{Messages, problems_json};
+use super::messages::{Json, Messages, problems_json};
 use super::output::{Output, plan};
+use super::threads::Threads;
 use super::{FormatWord, Status, input, progress, stats};
 use crate::film::{Notes, Print, Region, save};
 use crate::language::{Problem, Refusal};
@@ -20,7 +21,7 @@ use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
 use crate::render::{self, Certificate, Counts};
-use crate::scene::{Picture, Scene};
+use crate::scene::Scene;
 
 /// Renders scenes to pictures.
 ///
@@ -36,18 +37,14 @@ pub(super) struct Options {
     /// The ending .png, .ppm or .pfm names the format.
     #[arg(short, long, value_name = "OUT")]
     output: Option<String>,
-    /// Size of the picture in pixels, such as 800x600, instead of the scene's.
-    #[arg(long, value_name = "WxH", value_parser = size)]
-    size: Option<[u32; 2]>,
     /// Only this part of the picture: first column and row, counted from the top left, from 0, and
     /// those behind the last; its pixels are those of the whole.
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = crop)]
     crop: Option<Region>,
     #[command(flatten)]
     dials: Dials,
-    /// Threads to render with; all processors if not given.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Format of the pictures or of the scenes; may be given for both.
     #[arg(long, value_name = "FORMAT", value_enum)]
     format: Vec<FormatWord>,
@@ -60,21 +57,8 @@ pub(super) struct Options {
     /// Leave nothing out that is proven to change nothing; the picture is the same, only slower.
     #[arg(long)]
     simulate_everything: bool,
-    /// Print what was done as JSON on standard output, one line for each scene.
-    #[arg(long)]
-    json: bool,
-}
-
-/// A width and a height from `800x600`.
-pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text
-        .split_once(['x', 'X', '×'])
-        .and_then(|(width, height)| {
-            Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
-        });
-    let sides = sides.ok_or("expected width and height, such as 800x600")?;
-    Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
-    Ok(sides)
+    #[command(flatten)]
+    json: Json,
 }
 
 /// A part of the picture from `10,20,30,40`.
@@ -102,7 +86,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         messages.error("error: --format names one format for pictures and one for scenes at most");
         return Status::Usage;
     }
-    if options.output.as_deref() == Some(input::DASH) && options.json {
+    if options.output.as_deref() == Some(input::DASH) && options.json.is_asked() {
         messages.error("error: --json and a picture cannot both go to standard output");
         return Status::Usage;
     }
@@ -122,22 +106,20 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
             return refused.status;
         }
     };
-    let threads = options.threads.map_or(0, usize::from);
-    let pool = match pool(threads) {
+    let pool = match options.threads.pool() {
         Ok(pool) => pool,
         Err(error) => {
             messages.error(&format!("error: {error}"));
             return Status::Io;
         }
     };
-    let reader = read::Options {
+    let reader = options.dials.added_to(read::Options {
         language: languages.first().copied(),
-        size: options.size,
-        settings: options.dials.settings(),
-    };
+        ..read::Options::default()
+    });
     let one = |(scene, output): (&PathBuf, &Output)| {
         let made = picture(scene, output, &reader, options, &pool, messages);
-        match (made, options.json) {
+        match (made, options.json.is_asked()) {
             (Ok(done), true) => messages.result(&done.json(), done.status),
             (Ok(done), false) => done.say(messages),
             (Err(failure), true) => messages.result(&failure.json(scene), failure.status),
@@ -147,13 +129,6 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let statuses: Vec<_> = options.scenes.iter().zip(&outputs).map(one).collect();
     messages.tally(&statuses);
     statuses.into_iter().fold(Status::Done, Status::worst)
-}
-
-/// So many threads to render with; as many as there are processors if 0.
-pub(super) fn pool(threads: usize) -> Result<rayon::ThreadPool, String> {
-    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    let pool = builder.stack_size(render::STACK).build();
-    pool.map_err(|error| format!("cannot start {threads} threads: {error}"))
 }
 
 /// Renders one scene and writes its picture.
@@ -198,7 +173,7 @@ fn picture<'a>(
             let (film, certificate): (_, Certificate) =
                 render::observed_part(&read, scope, part, &progress)?;
             let report = certificate::report(&certificate, &read, &film);
-            let print = Print::of(&film, output.format, read.picture.rounding);
+            let print = Print::of(&film, output.format, read.picture.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;
             return Ok((print, certificate.counts, Some(report)));
         }

@@ -121,7 +121,7 @@ fn code_values(color: [f64; 3], scene: &Scene) -> String {
         let [r, g, b] = color;
         *pixel = Rgb::new(r, g, b);
     }
-    let bytes = film.bytes(scene.picture.rounding);
+    let bytes = film.bytes(scene.picture.encoding());
     let codes: Vec<_> = bytes.iter().map(u8::to_string).collect();
     codes.join(" ")
 }

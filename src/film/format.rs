@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Rounding;
+use super::Encoding;
 use crate::math::Rgb;
 
 /// A kind of picture file.
@@ -51,15 +51,15 @@ impl Format {
     }
 
     /// Makes colours the bytes of pixels: red, green and blue in turn.
-    pub(super) fn store(self, colors: &[Rgb], rounding: Rounding, bytes: &mut [u8]) {
+    pub(super) fn store(self, colors: &[Rgb], encoding: Encoding, bytes: &mut [u8]) {
         match self {
             // A code is at most 255, so its low byte is all of it.
             Self::Png8 | Self::Ppm => store(colors, bytes, |channel| {
-                let [low, _] = rounding.code(channel, 255).to_le_bytes();
+                let [low, _] = encoding.code(channel, 255).to_le_bytes();
                 [low]
             }),
             Self::Png16 => store(colors, bytes, |channel| {
-                rounding.code(channel, 65_535).to_be_bytes()
+                encoding.code(channel, 65_535).to_be_bytes()
             }),
             // Brighter than this format can say is as bright as it can say.
             #[expect(

@@ -4,20 +4,22 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-use super::Film;
+use super::{Film, Transfer};
 use crate::math::Rgb;
 
 impl Film {
-    /// Reads a picture: PFM, or PNG, JPEG or PNM, whose largest code value becomes 1.
+    /// Reads a picture as it is shown: PNG, JPEG or PNM, whose largest code value becomes 1, or PFM, whose
+    /// intensities this curve makes such values.
     ///
     /// # Errors
     /// Tells why the file cannot be read as a picture.
-    pub fn read(path: &Path) -> Result<Self, String> {
+    pub fn read(path: &Path, transfer: Transfer) -> Result<Self, String> {
         let mut bytes = Vec::new();
         let read = File::open(path).and_then(|mut file| file.read_to_end(&mut bytes));
         read.map_err(|error| error.to_string())?;
         if bytes.starts_with(b"PF") {
-            return from_pfm(&bytes).ok_or_else(|| "it is a damaged PFM".to_owned());
+            let film = from_pfm(&bytes).ok_or("it is a damaged PFM")?;
+            return Ok(film.shown(transfer));
         }
         let image = image::load_from_memory(&bytes).map_err(|error| error.to_string())?;
         let image = image.into_rgb16();
@@ -88,11 +90,14 @@ mod tests {
             film.write(&mut bytes, format, Rounding::Nearest, &Notes::default())
                 .expect("bytes");
             std::fs::write(&path, &bytes).expect("a file");
-            let read = Film::read(&path).expect("a picture");
+            let read = Film::read(&path, Transfer::None).expect("a picture");
             assert_eq!(read.bytes(Rounding::Nearest), film.bytes(Rounding::Nearest));
             std::fs::write(&path, &bytes[..bytes.len() - 3]).expect("a file");
             if format == Format::Pfm {
-                assert_eq!(Film::read(&path), Err("it is a damaged PFM".to_owned()));
+                assert_eq!(
+                    Film::read(&path, Transfer::None),
+                    Err("it is a damaged PFM".to_owned())
+                );
             }
         }
     }

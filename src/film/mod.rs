@@ -1,5 +1,6 @@
 //! Pixels in memory and on disk.
 
+mod encoding;
 mod format;
 mod load;
 mod pfm;
@@ -9,12 +10,15 @@ mod print;
 mod quantize;
 mod region;
 mod save;
+mod transfer;
 
+pub use encoding::Encoding;
 pub use format::Format;
 pub use print::{Print, PrintRow};
 pub use quantize::Rounding;
 pub use region::Region;
 pub use save::{discard_unfinished, save};
+pub use transfer::Transfer;
 
 use std::io::{self, Write};
 
@@ -22,7 +26,8 @@ use crate::math::Rgb;
 
 /// A picture of linear, unclamped colours; rows from top to bottom.
 ///
-/// No transfer curve is applied, as in the chapter: intensity 1 is the largest code value.
+/// Intensity 1 becomes the largest code value; how the others become code values is said where they do,
+/// by an [`Encoding`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
     width: usize,
@@ -38,14 +43,10 @@ impl Film {
     /// A black picture; `None` if there is no memory for it.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Option<Self> {
-        let count = width.checked_mul(height)?;
-        let mut pixels = Vec::new();
-        pixels.try_reserve_exact(count).ok()?;
-        pixels.resize(count, Rgb::BLACK);
         Some(Self {
             width,
             height,
-            pixels,
+            pixels: blank([width, height], Rgb::BLACK)?,
         })
     }
 
@@ -80,10 +81,22 @@ impl Film {
 
     /// The code values of 8-bit formats: red, green and blue of each pixel in turn.
     #[must_use]
-    pub fn bytes(&self, rounding: Rounding) -> Vec<u8> {
+    pub fn bytes(&self, encoding: impl Into<Encoding>) -> Vec<u8> {
         let mut bytes = vec![0; 3 * self.pixels.len()];
-        Format::Ppm.store(&self.pixels, rounding, &mut bytes);
+        Format::Ppm.store(&self.pixels, encoding.into(), &mut bytes);
         bytes
+    }
+
+    /// The picture as it is shown: each channel is the value that its code value is a share of.
+    #[must_use]
+    pub fn shown(mut self, transfer: Transfer) -> Self {
+        if transfer != Transfer::None {
+            for pixel in &mut self.pixels {
+                let [r, g, b] = pixel.channels().map(|channel| transfer.value(channel));
+                *pixel = Rgb::new(r, g, b);
+            }
+        }
+        self
     }
 
     /// A fingerprint of the picture before it is quantised: its size and the bits of every channel.
@@ -119,10 +132,19 @@ impl Film {
         &self,
         out: &mut dyn Write,
         format: Format,
-        rounding: Rounding,
+        encoding: impl Into<Encoding>,
         notes: &Notes,
     ) -> io::Result<()> {
-        let print = Print::of(self, format, rounding);
+        let print = Print::of(self, format, encoding.into());
         print.ok_or(io::ErrorKind::OutOfMemory)?.write(out, notes)
     }
+}
+
+/// As many times the same as these sides make together; `None` if there is no memory for it.
+fn blank<T: Clone, const SIDES: usize>(sides: [usize; SIDES], one: T) -> Option<Vec<T>> {
+    let count = sides.into_iter().try_fold(1, usize::checked_mul)?;
+    let mut all = Vec::new();
+    all.try_reserve_exact(count).ok()?;
+    all.resize(count, one);
+    Some(all)
 }

@@ -2,9 +2,12 @@
 
 use std::io::{self, Write};
 
-use super::{Notes, Print};
+use super::{Notes, Print, Transfer};
 
 /// Writes a PNG with the notes as text chunks; nothing in it depends on clock, host or path.
+///
+/// With the curve of sRGB it says so. Without a curve it says nothing, like the chapter's files: a viewer
+/// that was told that the numbers are intensities would show another picture than the chapter does.
 pub(super) fn write(
     print: &Print,
     out: &mut dyn Write,
@@ -15,6 +18,11 @@ pub(super) fn write(
     let mut encoder = png::Encoder::new(out, side(print.width())?, side(print.height())?);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Fast);
+    if print.encoding().transfer == Transfer::Srgb {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        // For readers that do not know of sRGB: the power that is closest, as the PNG standard has it.
+        encoder.set_source_gamma(png::ScaledFloat::from_scaled(45_455));
+    }
     for (keyword, text) in &notes.0 {
         encoder
             .add_itxt_chunk((*keyword).to_owned(), text.clone())

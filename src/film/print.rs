@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use rayon::prelude::*;
 
-use super::{Film, Format, Notes, Rounding, pfm, png, ppm};
+use super::{Encoding, Film, Format, Notes, blank, pfm, png, ppm};
 use crate::math::Rgb;
 
 /// A picture in the numbers of a file format. They take less room than those of a [`Film`], so what
@@ -14,7 +14,7 @@ pub struct Print {
     width: usize,
     height: usize,
     format: Format,
-    rounding: Rounding,
+    encoding: Encoding,
     /// Row by row from the top.
     bytes: Vec<u8>,
     /// For each row the columns with an infinite or not-a-number channel.
@@ -25,7 +25,7 @@ pub struct Print {
 #[derive(Debug)]
 pub struct PrintRow<'a> {
     format: Format,
-    rounding: Rounding,
+    encoding: Encoding,
     bytes: &'a mut [u8],
     odd: &'a mut Vec<usize>,
 }
@@ -34,27 +34,21 @@ impl Print {
     /// A picture of this width and height, black in every format; `None` if there is no memory for
     /// it.
     #[must_use]
-    pub fn new([width, height]: [usize; 2], format: Format, rounding: Rounding) -> Option<Self> {
-        let size = width
-            .checked_mul(height)?
-            .checked_mul(format.pixel_size())?;
-        let mut bytes = Vec::new();
-        bytes.try_reserve_exact(size).ok()?;
-        bytes.resize(size, 0);
+    pub fn new([width, height]: [usize; 2], format: Format, encoding: Encoding) -> Option<Self> {
         Some(Self {
             width,
             height,
             format,
-            rounding,
-            bytes,
+            encoding,
+            bytes: blank([width, height, format.pixel_size()], 0)?,
             odd: vec![Vec::new(); height],
         })
     }
 
     /// The print of a film; `None` if there is no memory for it.
     #[must_use]
-    pub fn of(film: &Film, format: Format, rounding: Rounding) -> Option<Self> {
-        let mut print = Self::new([film.width(), film.height()], format, rounding)?;
+    pub fn of(film: &Film, format: Format, encoding: Encoding) -> Option<Self> {
+        let mut print = Self::new([film.width(), film.height()], format, encoding)?;
         let rows = film.pixels().par_chunks(film.width());
         print.rows().zip(rows).for_each(|(mut row, colors)| {
             row.expose(colors);
@@ -74,6 +68,12 @@ impl Print {
         self.height
     }
 
+    /// How intensities have become those numbers.
+    #[must_use]
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
     /// The numbers of the format, row by row from the top.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
@@ -82,11 +82,11 @@ impl Print {
 
     /// The rows from the top.
     pub fn rows(&mut self) -> impl IndexedParallelIterator<Item = PrintRow<'_>> {
-        let (format, rounding) = (self.format, self.rounding);
+        let (format, encoding) = (self.format, self.encoding);
         let rows = self.bytes.par_chunks_mut(self.width * format.pixel_size());
         rows.zip(&mut self.odd).map(move |(bytes, odd)| PrintRow {
             format,
-            rounding,
+            encoding,
             bytes,
             odd,
         })
@@ -118,6 +118,6 @@ impl PrintRow<'_> {
         let colored = colors.iter().enumerate();
         let odd = colored.filter(|(_, color)| !color.is_finite());
         self.odd.extend(odd.map(|(column, _)| column));
-        self.format.store(colors, self.rounding, self.bytes);
+        self.format.store(colors, self.encoding, self.bytes);
     }
 }

@@ -16,9 +16,9 @@ pub const UNIT: f64 = f64::EPSILON / 2.0;
 /// exactly. It stands for no length: it is the smallest double of full precision.
 pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
-/// `D = n·d`: a product and two sums, `γ(3) Σ|nᵢdᵢ|`, and the sum is at most `(1 + 4u)²`; and `2 u Σ|dᵢ|`
-/// because the normal that decides may be that of a neighbour in the same plane.
-pub(crate) const SLOPE: f64 = 8.0 * UNIT;
+/// `D = n·d`: a product and two sums, `γ(3) Σ|nᵢdᵢ|`, and the sum is at most `(1 + 4u)²`; and `2 u Σ|dᵢ|`, which
+/// is at most `2√3 u`, because the normal that decides may be that of a neighbour in the same plane.
+pub(crate) const SLOPE: f64 = 7.0 * UNIT;
 
 /// `N = −n·c`, in units of `size`: two roundings in `c`, a product and two sums; and two for the
 /// normal of a neighbour.
@@ -45,6 +45,24 @@ pub(crate) const QUOTIENT: f64 = 2.0 * UNIT;
 /// the hit's own offset, which together bound `|c|₁ + t`: the roundings of `c`, of `t d`, of their sum,
 /// and of taking off the part along the normal. How far it lies along the ray is the error of `t`.
 pub(crate) const FOOT: f64 = 16.0 * UNIT;
+
+/// How far a hit point on something flat lies from where it ought to, in units of the error of its distance,
+/// beside [`FOOT`].
+///
+/// On a plane that is 1, for the point is the foot at that distance. A rectangle's is a sum of two quotients of
+/// moments, `X (Y·m)/D − Y (X·m)/D` with `m = d × c`. An error of `c` moves the line as a whole, and so the
+/// crossing by no more than itself over `D`: 2 u. An error of `m` does likewise: 2 u `|c|₁` for a product and a
+/// difference in each component. The products with both axes have three roundings each, and `X` and `Y` may be
+/// 2 u off from right angles to `n` and each other: together `√2 (3 + 2) u |m|`. And `D` with its three
+/// roundings and the neighbour's normal puts the offset off by `(3 + 2√3) u` times its length. With the
+/// ray's part `c∥` along `c`, `|m|` is `|c⊥|`, and the offset `√((t + |c∥|)² + c⊥²)` at most; so both together are
+/// at most `√((5√2)² + (3 + 2√3)²) |c| + (3 + 2√3) t`. In all `(13.6 |c|₁ + 6.5 t) u / D`, where the error of `t` is
+/// `(8 size + 7 t) u / D`.
+pub(crate) const FLAT_SLIP: f64 = 1.75;
+
+/// The same on something round, beside the ratio of its axes: the point is pushed out from the centre, and with it
+/// go the roundings of the way to it, 4 u of `size`, while the error of its distance is no less than 15 u.
+pub(crate) const ROUND_SLIP: f64 = 1.25;
 
 /// How far a hit may slide along its ray and still say something about what is next to it, in units
 /// of its distance: half of a double's digits, 2⁻²⁶. A ray that is nearly parallel to a plane may meet
@@ -74,3 +92,14 @@ pub(crate) const SLAB: f64 = 32.0 * UNIT;
 /// direction; and an eighth of the whole, which no hit exceeds that is not met at a small angle, for
 /// how far the ray's start may be off.
 pub(crate) const SHADE: f64 = 16_384.0 * UNIT;
+
+/// How far a ball has to be outside of a cone of directions, as an angle in radians, to be said to be: 2⁻²⁰.
+///
+/// Places are off by less than 64 roundings of their size: corners by 16, and two more for a middle and a
+/// difference. Where that is not below a sixteenth of this margin, in units of the distance, nothing is
+/// said. So the centre is off by 1/16 of the margin. The half-angle is the arc sine of a quotient below 0.9,
+/// whose derivative is below 2.3; radius and distance put that quotient off by 1.9/16 and it by 0.28 of
+/// the margin. Together that is 0.34, and twice that if the cone is one around a ball, too. A cosine that
+/// is off by 8 u puts its angle off by 4 √u at most, which is 0.05, once for the arc cosine and once
+/// for a light's own cone. All together it is less than 0.8 of the margin.
+pub(crate) const APART: f64 = 8_589_934_592.0 * UNIT;

@@ -2,6 +2,7 @@
 //!
 //! The one scalar of the crate is `f64`; vectors are `glam`'s [`glam::DVec3`].
 
+mod ball;
 pub(crate) mod band;
 mod beam;
 mod blueprint;
@@ -27,6 +28,7 @@ mod segment;
 mod side;
 mod vector;
 
+pub use ball::{Ball, is_clear};
 pub use band::UNIT;
 pub use beam::Beam;
 pub use blueprint::{Blueprint, Border};

@@ -142,14 +142,16 @@ pub struct Curve {
 }
 
 impl<'a> Departure<'a> {
-    /// The hit of a ray at this point of a surface on this sheet; `error` is that of the distance.
+    /// The hit of a ray at this point of a surface on this sheet.
+    ///
+    /// `slip` is how far it may be off because its distance is.
     #[must_use]
     #[inline]
     pub fn new(
         (support, flat): (Option<Support>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
         point: Point,
-        error: f64,
+        slip: f64,
     ) -> Self {
         let size = point.size();
         let (_, before) = arriving.origin.seen_from(point.anchor);
@@ -160,9 +162,9 @@ impl<'a> Departure<'a> {
             point,
             curve: None,
             arriving,
-            rounding: arriving.rounding() + FOOT * length + (2.0 * error).min(SLIDE * length),
+            rounding: arriving.rounding() + FOOT * length + slip.min(SLIDE * length),
             doubt: HEIGHT * size,
-            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + 2.0 * error,
+            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + slip,
         }
     }
 

@@ -32,6 +32,14 @@ impl Timing {
         self.median / other.median
     }
 
+    /// Whether more runs would tell little: the deviation is known and no more than a fiftieth.
+    #[must_use]
+    pub fn has_settled(self) -> bool {
+        const SHARE: f64 = 0.02;
+        let deviation = self.deviation;
+        deviation.is_some_and(|deviation| deviation <= SHARE * self.median)
+    }
+
     /// Whether this and another are no further apart than their deviations; not known of a single
     /// run.
     #[must_use]
@@ -83,6 +91,15 @@ mod tests {
         let single = Timing::of(&[2.0]);
         assert_eq!((single.median, single.deviation), (2.0, None));
         assert!(!single.is_like(single), "nobody knows");
+    }
+
+    #[test]
+    fn a_timing_settles_when_its_runs_agree() {
+        assert!(!Timing::of(&[]).has_settled());
+        assert!(!Timing::of(&[1.0]).has_settled(), "nobody knows");
+        assert!(Timing::of(&[1.0, 1.03]).has_settled());
+        assert!(!Timing::of(&[1.0, 1.05]).has_settled());
+        assert!(Timing::of(&[1.0, 1.05, 1.01]).has_settled());
     }
 
     #[test]

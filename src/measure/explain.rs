@@ -158,7 +158,8 @@ impl EffectRow {
                 | Effect::SpotCones
                 | Effect::Projectors
                 | Effect::Textures
-                | Effect::TextureFilter => None,
+                | Effect::TextureFilter
+                | Effect::TransferCurve => None,
             },
             effect: decision.effect,
             on: decision.on,

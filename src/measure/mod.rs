@@ -9,6 +9,7 @@ mod deviation;
 mod explain;
 mod light_row;
 mod light_tests;
+mod plot;
 mod price_list;
 mod prices;
 mod similarity;
@@ -20,12 +21,13 @@ pub use check::check;
 pub use clock::Timing;
 pub use cost::{
     Best, Blame, Cost, DIALS, Dial, Doubt, Ladder, Law, Limit, Measured, Metric, Pictures,
-    Reference, Rung, Spot, Trade, Variation, cost, effects_of,
+    Reference, Rung, Spot, Trade, Variation, cost, effects_of, exponent,
 };
 pub use deviation::Deviation;
 pub use explain::{EffectRow, Explanation, SurfaceRow, TextureRow, Thing, Work, explain};
 pub use light_row::{LightRow, NoShadow};
 pub use light_tests::LightTests;
+pub use plot::{Curve, Figure, Panel, Scale};
 pub use prices::{Effort, Price, Prices, prices};
 pub use similarity::similarity;
 pub use transcript::{PixelStory, Step, transcript};

@@ -18,7 +18,7 @@ impl Prices {
     #[must_use]
     pub fn list(&self) -> String {
         let mut text = format!(
-            "  {:<14}{:>20}{:>9}{:>14}{:>11}{:>14}\n",
+            "  {:<15}{:>20}{:>9}{:>14}{:>11}{:>14}\n",
             "without", "time", "takes", "rays", "pixels", "by at most"
         );
         line(&mut text, "(as it is)", &self.whole, "", "", "");
@@ -44,7 +44,7 @@ impl Prices {
     #[must_use]
     pub fn elision(&self) -> String {
         let mut text = format!(
-            "  {:<14}{:>20}{:>9}{:>14}{:>14}{:>8}\n",
+            "  {:<15}{:>20}{:>9}{:>14}{:>14}{:>8}\n",
             "simulated", "time", "takes", "shadow rays", "shadow tests", "a ray"
         );
         let takes = self.everything.time.over(self.whole.time);
@@ -58,7 +58,7 @@ impl Prices {
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "  {what:<14}{:>20}{takes:>9}{:>14}{:>14}{each:>8}",
+                "  {what:<15}{:>20}{takes:>9}{:>14}{:>14}{each:>8}",
                 effort.time.to_string(),
                 effort.shadow_rays(),
                 effort.counts.occlusion_tests,
@@ -103,7 +103,7 @@ impl fmt::Display for Timing {
 
 fn line(text: &mut String, title: &str, effort: &Effort, takes: &str, pixels: &str, most: &str) {
     let (time, rays) = (effort.time.to_string(), effort.counts.rays());
-    let line = format!("  {title:<14}{time:>20}{takes:>9}{rays:>14}{pixels:>11}{most:>14}");
+    let line = format!("  {title:<15}{time:>20}{takes:>9}{rays:>14}{pixels:>11}{most:>14}");
     text.push_str(line.trim_end());
     text.push('\n');
 }

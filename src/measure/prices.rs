@@ -96,10 +96,12 @@ pub fn prices(
     let pool = one_thread()?;
     // Not measured: the first picture also fetches program and textures into the caches.
     let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
+    let hash = picture.hash();
+    let picture = picture.shown(scene.picture.transfer);
     let mut drawn = 0;
     for _ in 0..runs {
         for subject in &mut subjects {
-            pool.install(|| subject.draw(&picture))?;
+            pool.install(|| subject.draw(&picture, &hash))?;
             drawn += 1;
             progress(drawn, all);
         }
@@ -155,17 +157,18 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Draws it once more and compares it with a picture.
-    fn draw(&mut self, picture: &Film) -> Result<(), Refusal> {
+    /// Draws it once more and compares it with a picture as it is shown, that had this hash before.
+    fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), Refusal> {
         let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
         let (film, counts) = drawn?;
         assert!(
-            self.scope == Scope::CalledFor || film.hash() == picture.hash(),
+            self.scope == Scope::CalledFor || film.hash() == hash,
             "simulating everything changes the picture"
         );
         self.seconds.push(seconds);
         self.counts = counts;
-        self.change = Change::between(picture, &film);
+        let transfer = self.scene.picture.transfer;
+        self.change = Change::between(picture, &film.shown(transfer));
         Ok(())
     }
 

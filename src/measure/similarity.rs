@@ -1,5 +1,7 @@
 //! How alike two pictures look.
 
+use rayon::prelude::*;
+
 use crate::film::Film;
 use crate::math::Rgb;
 
@@ -65,12 +67,14 @@ fn lumas(film: &Film) -> Vec<f64> {
 fn blurred(values: &[f64], width: usize) -> Vec<f64> {
     let height = values.len() / width.max(1);
     let rows: Vec<f64> = (0..values.len())
+        .into_par_iter()
         .map(|at| {
             let (column, start) = (at % width, at - at % width);
             mean(column, width, |column| values[start + column])
         })
         .collect();
     (0..values.len())
+        .into_par_iter()
         .map(|at| {
             let column = at % width;
             mean(at / width, height, |row| rows[row * width + column])

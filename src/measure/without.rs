@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::film::Transfer;
 use crate::language::{Node, Refusal, Schema, Value};
 use crate::light::{Cone, Light, Slide};
 use crate::plan::Effect;
@@ -69,6 +70,7 @@ fn off(node: Node, effect: Effect) -> Node {
             let single = with_property(node, "samples", Value::Number(1.0));
             with_property(single, "max-error", Value::Number(0.0))
         }
+        Effect::TransferCurve => with_property(node, "transfer", Transfer::None.word().into()),
     }
 }
 

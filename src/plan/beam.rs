@@ -3,50 +3,50 @@
 use glam::DVec3;
 
 use crate::light::Cone;
-use crate::math::{Bounds, Rectangle, UNIT};
-
-/// How far a surface has to be outside of a beam, as an angle in radians: 2⁻²⁰.
-///
-/// Far more than rounding can move what a beam lights, and nothing to speak of in a scene. Smaller,
-/// and rounding could take light away; larger, and more rays are sent in vain.
-const MARGIN: f64 = 1.0 / 1_048_576.0;
+use crate::math::band::{APART, UNIT};
+use crate::math::{Ball, Bounds, Point, Rectangle, is_clear};
 
 /// Whether a cone of light certainly lights nothing of what is in a box.
 pub(super) fn cone_passes_by(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool {
-    let center = bounds.min.midpoint(bounds.max);
-    let (way, radius) = (center - location, (bounds.max - center).length());
-    let distance = way.length();
-    // Next to the box the angle changes fast, and rounding counts for more.
-    if !(radius < 0.9 * distance && is_clear(location, center, distance)) {
-        return false;
-    }
-    let cosine = (cone.axis().dot(way) / distance).clamp(-1.0, 1.0);
-    libm::acos(cosine) - libm::asin(radius / distance) > cone.angle() + MARGIN
+    Ball::around(bounds).is_outside(location, cone.axis(), cone.angle())
 }
 
-/// Whether light through a slide certainly lights nothing of what is in a box.
+/// Whether light through a slide certainly lights nothing of what is in a box: one plane through the
+/// light and a border of the slide has the slide on one side and the box on the other, both further
+/// off than rounding can turn anything.
 pub(super) fn slide_passes_by(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
     let corners = slide.corners();
     let next = corners.iter().cycle().skip(1);
     let inner = corners.iter().cycle().skip(2);
     let mut borders = corners.iter().zip(next).zip(inner);
     borders.any(|((from, to), inner)| {
-        // Through the light and a border of the slide.
-        let normal = (*from - location).cross(*to - location);
-        let inside = normal.dot(*inner - location);
-        let size = normal.length() * (*inner - location).length();
-        let is_wide = inside.abs() > MARGIN * size;
-        is_wide
-            && bounds.corners().iter().all(|corner| {
-                let way = *corner - location;
-                let height = normal.dot(way) * inside.signum();
-                let size = normal.length() * way.length();
-                height < -MARGIN * size && is_clear(location, *corner, way.length())
-            })
+        let Some(normal) = normal(location, *from, *to) else {
+            return false;
+        };
+        let sine = |point: DVec3| {
+            let way = point - location;
+            let distance = way.length();
+            is_clear(location, point, distance).then(|| normal.dot(way) / distance)
+        };
+        let Some(inside) = sine(*inner).filter(|sine| sine.abs() > APART) else {
+            return false;
+        };
+        let is_outside =
+            |corner: &DVec3| sine(*corner).is_some_and(|sine| sine * inside.signum() < -APART);
+        bounds.corners().iter().all(is_outside)
     })
 }
 
-/// Whether two places are so far apart that the way between them is not mostly rounding.
-fn is_clear(a: DVec3, b: DVec3, distance: f64) -> bool {
-    64.0 * UNIT * (a.length() + b.length()) < MARGIN / 16.0 * distance
+/// The unit normal of the plane through a light and a border; `None` if rounding could turn it by more
+/// than a sixteenth of [`APART`], as where the border is seen from its end.
+fn normal(light: DVec3, from: DVec3, to: DVec3) -> Option<DVec3> {
+    let [from_way, to_way] = [from, to].map(|corner| corner - light);
+    let normal = from_way.cross(to_way);
+    let length = normal.length();
+    let size: f64 = [light, from, to]
+        .map(|it| Point::exact(it).size())
+        .iter()
+        .sum();
+    let doubt = 64.0 * UNIT * size * (from_way.length() + to_way.length());
+    (doubt < APART / 16.0 * length).then(|| normal / length)
 }

@@ -2,6 +2,7 @@
 
 use super::{Cause, Decision, Effect, Plan};
 use crate::camera::Pattern;
+use crate::film::Transfer;
 use crate::light::{Beam, Light};
 use crate::scene::Picture;
 use crate::surface::Surface;
@@ -49,6 +50,7 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
         ),
         Effect::TextureFilter => texture_filter(plan),
         Effect::Antialiasing => antialiasing(plan),
+        Effect::TransferCurve => transfer_curve(plan),
     }
 }
 
@@ -142,10 +144,25 @@ fn antialiasing(plan: &Plan<'_>) -> Decision {
             pattern.word()
         ),
     };
-    Decision {
-        on,
-        ..Decision::new(Effect::Antialiasing, why, Vec::new())
-    }
+    Decision::new(Effect::Antialiasing, why, of_picture(plan, on))
+}
+
+fn transfer_curve(plan: &Plan<'_>) -> Decision {
+    let (on, why) = match plan.scene.picture.transfer {
+        Transfer::None => (false, "code values are shares of intensity 1"),
+        Transfer::Srgb => (true, "`transfer` asks for that of sRGB"),
+    };
+    let causes = of_picture(plan, on);
+    Decision::new(Effect::TransferCurve, why.to_owned(), causes)
+}
+
+/// The picture, if it calls for something.
+fn of_picture(plan: &Plan<'_>, calls: bool) -> Vec<Cause> {
+    let picture = &plan.scene.picture;
+    calls
+        .then(|| Cause::of_picture(picture))
+        .into_iter()
+        .collect()
 }
 
 /// What surfaces call for that rays can meet.

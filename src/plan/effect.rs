@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::language::Location;
 use crate::light::Light;
+use crate::scene::Picture;
 use crate::surface::Surface;
 
 /// Something that costs time and changes pictures, if a scene calls for it.
@@ -32,11 +33,13 @@ pub enum Effect {
     TextureFilter,
     /// Several rays through each pixel.
     Antialiasing,
+    /// A curve from intensities to code values.
+    TransferCurve,
 }
 
 impl Effect {
     /// All of them, in the order in which they are explained.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Shadows,
         Self::SoftShadows,
         Self::Mirrors,
@@ -48,6 +51,7 @@ impl Effect {
         Self::Textures,
         Self::TextureFilter,
         Self::Antialiasing,
+        Self::TransferCurve,
     ];
 
     /// What it is called.
@@ -65,6 +69,7 @@ impl Effect {
             Self::Textures => "textures",
             Self::TextureFilter => "filters",
             Self::Antialiasing => "antialiasing",
+            Self::TransferCurve => "transfer curve",
         }
     }
 }
@@ -105,6 +110,12 @@ impl Cause {
     pub fn of_light(light: &Light) -> Self {
         let word = light.describe().schema.word;
         Self::new(word, light.name.as_deref(), light.place)
+    }
+
+    /// The picture.
+    #[must_use]
+    pub fn of_picture(picture: &Picture) -> Self {
+        Self::new(Picture::SCHEMA.word, None, picture.place)
     }
 
     fn new(word: &str, name: Option<&str>, location: Option<Location>) -> Self {

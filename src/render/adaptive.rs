@@ -2,7 +2,7 @@
 
 use super::{Probe, Seed, Tracer, watch::Watch};
 use crate::camera::{Pattern, Places};
-use crate::film::Region;
+use crate::film::{Region, Transfer};
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
 use crate::scene::Picture;
@@ -122,7 +122,8 @@ impl<'a> Adaptive<'a> {
         let outline = self.outlines.nearest(column, self.camera_row(row));
         while tally.count < Picture::MOST_ADAPTIVE {
             let outlined = outline.is_finite() && outline <= tally.farthest * NEAR;
-            if tally.error(around, outlined) <= self.picture.max_error {
+            let transfer = self.picture.transfer;
+            if tally.error(around, outlined, transfer) <= self.picture.max_error {
                 break;
             }
             let [first, second, third, fourth] = tally.quarters;
@@ -181,9 +182,8 @@ impl Tally {
         sum / f64::from(self.count)
     }
 
-    /// How far off the mean probably is in its worst channel, in intensity; what is above white
-    /// counts as white.
-    fn error(&self, around: Colors, outlined: bool) -> f64 {
+    /// How far off the mean probably is in its worst channel, as it is shown.
+    fn error(&self, around: Colors, outlined: bool, transfer: Transfer) -> f64 {
         let count = f64::from(self.count);
         let border = BORDER / (count.sqrt() * count.sqrt().sqrt());
         let mean = self.mean().channels();
@@ -202,7 +202,7 @@ impl Tally {
             let known = if outlined { around.max(1.0) } else { around };
             let unmet = (known - own) / count;
             let error = (border * own).max(SPREAD * spread).max(unmet);
-            if mean - error >= 1.0 { 0.0 } else { error }
+            transfer.error(mean, error)
         };
         (0..3).map(of_channel).fold(0.0, f64::max)
     }

@@ -19,10 +19,9 @@ pub struct Errors {
     pub direction: f64,
     /// How many mirrors or panes the path has met before.
     pub bounces: u32,
-    /// How far beside its way the ray may pass there, in world units.
+    /// How far beside its way a ray may pass there, in world units: the one that arrives, or one that
+    /// starts there in the same direction.
     beside: f64,
-    /// How far before or behind the place on its way the hit may lie, in world units.
-    along: f64,
 }
 
 /// How a ray goes on where it meets a surface.
@@ -43,16 +42,15 @@ impl Errors {
     /// Where a ray passes beside its way, its hit slides along the surface: by as much as that, divided by
     /// the cosine of the angle to the normal.
     #[must_use]
-    pub fn at(self, ray: &Ray, hit: &Hit) -> Self {
+    pub fn at(self, ray: &Ray, hit: &Hit, surface: &dyn Surface) -> Self {
         let (_, start) = ray.origin.seen_from(hit.point.anchor);
         let rounding = FOOT * (start + hit.point.offset.abs().element_sum());
-        let along = 2.0 * hit.error + rounding;
+        let slip = surface.slip() * hit.error + rounding;
         let beside = self.beside + times(self.direction, hit.t);
         let slide = times(beside, 1.0 / ray.dir.dot(hit.normal).abs());
         Self {
-            place: slide + along,
-            beside: beside + rounding,
-            along,
+            place: slide + slip,
+            beside: beside + slip,
             ..self
         }
     }
@@ -68,7 +66,7 @@ impl Errors {
         let tilt = times(curvature, self.place);
         let (beside, direction) = match turn {
             Turn::Straight => (self.beside, self.direction),
-            Turn::Mirrored => (self.beside + self.along, self.mirrored(tilt)),
+            Turn::Mirrored => (self.beside, self.mirrored(tilt)),
             Turn::Bent(ratio) => self.bent(tilt, ratio, dir.dot(normal).abs().min(1.0)),
         };
         Self {
@@ -127,7 +125,7 @@ impl Errors {
         let rounding = ((5.0 * ratio * ratio + 3.0) / cosine_at_most + 10.0 * ratio + 12.0) * UNIT;
         let direction = self.direction * ratio.max(in_plane) + tilt * of_tilt + rounding;
         let widening = (cosine_at_least / cosine).max(1.0);
-        (times(self.beside, widening) + self.along, direction)
+        (times(self.beside, widening), direction)
     }
 }
 
@@ -371,7 +369,7 @@ mod tests {
             let (own, other) = (from(DVec3::ZERO), from(dir.cross(DVec3::Z) * beside));
             let met = [hit(&own), hit(&other)];
             let apart = met[1].point.world() - met[0].point.world();
-            let at = errors.at(&own, &met[0]);
+            let at = errors.at(&own, &met[0], &*floor);
             let share = apart.length() / at.place;
             assert!(share <= 1.0 + 1e-12 && share > 0.999, "{share}");
             let Some(bent) = turned(dir, DVec3::Y, turn) else {

@@ -134,7 +134,8 @@ pub fn printed_part<P: Probe + Default + Send + Sum>(
     part.check_within([scene.picture.width, scene.picture.height])?;
     let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
     let plan = Plan::new(scene, classic.as_deref(), scope)?;
-    let print = Print::new([part.width, part.height], format, scene.picture.rounding);
+    let encoding = scene.picture.encoding();
+    let print = Print::new([part.width, part.height], format, encoding);
     let mut print = print.ok_or_else(|| no_memory(part))?;
     let painter = Painter::new(&plan, part, progress);
     let rows = print.rows().chunks(painter.together).enumerate();

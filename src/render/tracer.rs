@@ -114,7 +114,7 @@ impl<'a> Tracer<'a> {
     ) -> Rgb {
         let mut budget = Budget {
             rays: MOST_BOUNCES,
-            light: self.plan.scene.picture.cut_off,
+            light: self.plan.scene.picture.missing_light(),
         };
         let beam = self.plan.filter.map(|_| self.beam(x, y));
         let path = Path {
@@ -157,7 +157,7 @@ impl<'a> Tracer<'a> {
         let hit = &*hit;
         let follows_errors = probe.follows_errors();
         let errors = if follows_errors {
-            path.errors.at(ray, hit)
+            path.errors.at(ray, hit, entry.surface)
         } else {
             Errors::default()
         };

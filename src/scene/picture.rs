@@ -2,8 +2,10 @@
 
 use super::Setting;
 use crate::camera::Pattern;
-use crate::film::Rounding;
-use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
+use crate::film::{Encoding, Rounding, Transfer};
+use crate::language::{
+    Attribute, Default, Location, Naming, Node, Range, Refusal, Schema, Takes, Value,
+};
 use crate::math::Numerics;
 use crate::texture::Filter;
 
@@ -18,17 +20,22 @@ pub struct Picture {
     pub samples: u32,
     /// How they are spread over the pixel.
     pub pattern: Pattern,
-    /// The error that a pixel may probably have, in intensity; 0 if all pixels have as many rays.
+    /// The error that a pixel may probably have, where the largest code value is 1; 0 if all pixels have
+    /// as many rays.
     pub max_error: f64,
-    /// How intensities become code values.
+    /// The curve from intensities to the values that are rounded to code values.
+    pub transfer: Transfer,
+    /// How they are rounded.
     pub rounding: Rounding,
-    /// How much intensity a pixel may lack because mirrored and transmitted rays are not followed
-    /// for ever; by default a quarter of a code value of 255.
+    /// How much a pixel may lack because mirrored and transmitted rays are not followed for ever,
+    /// where the largest code value is 1; by default a quarter of a code value of 255.
     pub cut_off: f64,
     /// What decides where rays meet surfaces.
     pub numerics: Numerics,
     /// What is seen of a texture in a pixel.
     pub texture_filter: Filter,
+    /// Where the scene file says so, if it was read from one.
+    pub place: Option<Location>,
 }
 
 impl Picture {
@@ -75,11 +82,18 @@ impl Picture {
             Attribute::new(
                 "max-error",
                 Takes::Number(Range::Between(0.0, 1.0)),
-                "a target: rays are added to a pixel, in its Sobol sequence, until its error, in \
-                 intensity, is probably no larger; `samples` are then the fewest, four at least, and \
-                 4096 the most; 0 is none",
+                "a target: rays are added to a pixel, in its Sobol sequence, until its error, as a \
+                 share of the largest code value, is probably no larger; `samples` are then the \
+                 fewest, four at least, and 4096 the most; 0 is none",
             )
             .or(Default::Number(0.0)),
+            Attribute::new(
+                "transfer",
+                Takes::Word(&Transfer::WORDS),
+                "the curve from intensities to code values: none, as in the chapter, or that of \
+                 sRGB, which screens expect",
+            )
+            .or(Default::Word("none")),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
@@ -89,8 +103,8 @@ impl Picture {
             Attribute::new(
                 "cut-off",
                 Takes::Number(Range::Between(0.0, 1.0)),
-                "how much intensity a pixel may lack because mirrored and transmitted rays are \
-                 not followed for ever",
+                "how much a pixel may lack, as a share of the largest code value, because \
+                 mirrored and transmitted rays are not followed for ever",
             )
             .or(Default::Number(0.000_98)),
             Attribute::new(
@@ -175,7 +189,24 @@ impl Picture {
         if let Some(property) = property {
             property.value = Some(setting.value().clone());
         }
+        node.location = self.place;
         Self::with_properties([self.width, self.height], &node)
+    }
+
+    /// How intensities become code values.
+    #[must_use]
+    pub fn encoding(&self) -> Encoding {
+        Encoding {
+            transfer: self.transfer,
+            rounding: self.rounding,
+        }
+    }
+
+    /// How much intensity a pixel may lack, so that it lacks no more than `cut_off` when it is shown,
+    /// however dark it is.
+    #[must_use]
+    pub fn missing_light(&self) -> f64 {
+        self.cut_off / self.transfer.steepest()
     }
 
     fn with_properties([width, height]: [u32; 2], node: &Node) -> Self {
@@ -187,10 +218,12 @@ impl Picture {
             samples: whole(number("samples")),
             pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
             max_error: number("max-error"),
+            transfer: Transfer::from_word(word("transfer").text()).unwrap_or_default(),
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
             texture_filter: Filter::from_word(word("texture-filter").text()).unwrap_or_default(),
+            place: node.location,
         }
     }
 
@@ -202,6 +235,7 @@ impl Picture {
             .with_property("samples", f64::from(self.samples))
             .with_property("pattern", self.pattern.word())
             .with_property("max-error", self.max_error)
+            .with_property("transfer", self.transfer.word())
             .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())

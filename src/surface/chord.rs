@@ -19,16 +19,45 @@ pub(super) struct Chord {
     half_squared: f64,
     /// `d·d`.
     speed_squared: f64,
-    /// How far at most `c·d` is from the exact value.
+    /// How far at most `c·d/a` is from the exact value, in units of `|d|`.
     doubt: f64,
     /// How far at most `half_squared` is from the exact value.
     half_squared_doubt: f64,
 }
 
-/// The scalar product of origin and direction has 13 roundings, its quotient by `a` one more beside
-/// those of `a`, of which there are 13 too; the foot `c − (c·d/a) d` 7 more: 34, all in units of
-/// `size` along a direction of unit length.
-const ROUNDINGS: f64 = 40.0 * UNIT;
+/// How far rounding puts a chord off, in units of `size`.
+///
+/// Let every component of `c` have `o` roundings, and of `d` have `e`. The product `c·d` has `o + e + 3`, `a` has
+/// `2e + 3`, and with the division that makes `f = c·d/a` off by `(o + 3e + 7) u`, in units of a direction of unit
+/// length. One more is for the sum with half the chord, and one, there as everywhere, for the rounding of the
+/// bound itself.
+///
+/// Whatever `f` is off by, `δ`, it moves the foot `p = c − f d` along the line, at right angles to where it ought
+/// to be, and so counts by its square only. In other directions `p` is off by `η`: the roundings of `c` and of
+/// `d`, the product and the difference, `(o + e + 2) u`. So `|p|²` is off by `η (2|p| + η) + |δ d|²`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Roundings {
+    /// What `f` is off by, and the sum.
+    along: f64,
+    /// What the foot is off by across the line.
+    across: f64,
+}
+
+impl Roundings {
+    /// Of a ball as it is: `c` is rounded twice and `d` is exact; but `a` is said to be 1, so that `f` is off
+    /// by 8 u for the length of `d`, where others have 4 for `a` and the division.
+    pub(super) const OF_BALL: Self = Self {
+        along: 15.0 * UNIT,
+        across: 5.0 * UNIT,
+    };
+
+    /// Of an ellipsoid in the space where it is a ball: both are multiplied by the reciprocals of the axes,
+    /// one more. That these are rounded, too, is as if the axes were: the same for `c` and `d`.
+    pub(super) const OF_ELLIPSOID: Self = Self {
+        along: 15.0 * UNIT,
+        across: 7.0 * UNIT,
+    };
+}
 
 /// The quadratic equation `a t² − 2 b t + c = 0` of the distances at which a ray meets a round
 /// surface, exactly.
@@ -45,8 +74,7 @@ impl Chord {
     /// The chord of a line from `origin`, a vector from the centre, along `dir`; `None` where the
     /// line certainly leads away from the ball or passes by.
     ///
-    /// `size` bounds the sum of the lengths that `origin` was computed from. Every component of
-    /// `origin` and of `dir` may have five roundings, as it has in the space of an ellipsoid.
+    /// `size` bounds the sum of the lengths that `origin` was computed from.
     #[inline(always)]
     pub(super) fn new(
         origin: DVec3,
@@ -54,8 +82,9 @@ impl Chord {
         dir: DVec3,
         speed_squared: f64,
         radius: f64,
+        roundings: Roundings,
     ) -> Option<Self> {
-        // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 29 roundings.
+        // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 21 roundings.
         const OF_DISCRIMINANT: f64 = 64.0 * UNIT;
         let along = origin.dot(dir);
         // Most lines pass by so clearly that even the cancelling form says so. No term of it is
@@ -67,10 +96,17 @@ impl Chord {
             return None;
         }
         // With a direction longer than 1, `along` is larger as well, and so is what it is off by.
-        if along > ROUNDINGS * size * dir.abs().element_sum() {
+        if along > roundings.along * size * dir.abs().element_sum() {
             return None;
         }
-        Some(Self::of_line(origin, size, dir, speed_squared, radius))
+        Some(Self::of_line(
+            origin,
+            size,
+            dir,
+            speed_squared,
+            radius,
+            roundings,
+        ))
     }
 
     /// The chord of a line, whichever way it leads.
@@ -81,8 +117,9 @@ impl Chord {
         dir: DVec3,
         speed_squared: f64,
         radius: f64,
+        roundings: Roundings,
     ) -> Self {
-        let doubt = ROUNDINGS * size;
+        let (doubt, across) = (roundings.along * size, roundings.across * size);
         let foot = origin.dot(dir) / speed_squared;
         let nearest = origin - dir * foot;
         let (nearest_squared, radius_squared) = (nearest.length_squared(), radius * radius);
@@ -91,7 +128,8 @@ impl Chord {
             half_squared: radius_squared - nearest_squared,
             speed_squared,
             doubt,
-            half_squared_doubt: of_squares(nearest_squared + radius_squared, doubt, radius),
+            half_squared_doubt: of_squares(nearest_squared + radius_squared, across, radius)
+                + doubt * doubt,
         }
     }
 
@@ -155,19 +193,23 @@ impl Chord {
     /// The same for a line that starts on the ball and leads inside: the whole chord is twice the
     /// way to its middle. Nothing cancels, and the start itself is no solution.
     pub(super) fn whole(&self) -> (f64, f64) {
-        let error = self.doubt / self.speed_squared.sqrt() + 4.0 * UNIT * self.ahead.abs();
+        let error = self.doubt / self.speed_squared.sqrt();
         (above_zero(2.0 * self.ahead), 2.0 * error)
     }
 
     /// How far at most the distance is off.
+    ///
+    /// `|√(x + e) − √x|` is at most `|e| / (√x + √(x − |e|))`, and `√(x − |e|)` no less than `√x − |e|/√x`;
+    /// nor is it ever more than `√|e|`. Eight more in half of the chord are for both roots, for `a`, for the
+    /// division and the sum.
     fn error(&self, half: f64, speed: f64) -> f64 {
-        // √(x + e) − √x ≤ e/√x, and no more than √e.
-        let of_half = if half * half > self.half_squared_doubt {
-            self.half_squared_doubt / half
+        let off = self.half_squared_doubt;
+        let of_half = if half * half > off {
+            off * half / (2.0 * half * half - off)
         } else {
-            self.half_squared_doubt.sqrt()
+            off.sqrt()
         };
-        (self.doubt + of_half) / speed + 4.0 * UNIT * (self.ahead.abs() + half / speed)
+        (self.doubt + of_half + 8.0 * UNIT * half) / speed
     }
 }
 
@@ -196,11 +238,17 @@ impl Quadratic {
 ///
 /// `size` and `origin` are as for a [`Chord`]; `rounding` bounds how far the origin can be from
 /// where it ought to be.
-pub(super) fn side_of_ball(origin: DVec3, size: f64, rounding: f64, radius: f64) -> Option<Sign> {
+pub(super) fn side_of_ball(
+    origin: DVec3,
+    size: f64,
+    rounding: f64,
+    radius: f64,
+    roundings: Roundings,
+) -> Option<Sign> {
     let (squared, radius_squared) = (origin.length_squared(), radius * radius);
     let doubt = of_squares(
         squared + radius_squared,
-        ROUNDINGS * size + rounding,
+        roundings.across * size + rounding,
         radius,
     );
     let height = squared - radius_squared;
@@ -211,7 +259,8 @@ pub(super) fn side_of_ball(origin: DVec3, size: f64, rounding: f64, radius: f64)
 /// `x` is off by `doubt` at most.
 #[inline(always)]
 fn of_squares(squares: f64, doubt: f64, radius: f64) -> f64 {
-    // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r.
+    // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r. The sum of squares has three roundings, and the
+    // difference one. And a ball's r² has one, while an ellipsoid's axes may be off by u, and so its square by 2 u.
     doubt * (squares / radius + doubt) + 5.0 * UNIT * squares
 }
 
@@ -253,7 +302,8 @@ mod tests {
                 rounding: 0.0,
             }
         };
-        let chord = Chord::new(origin, origin.abs().element_sum(), dir, 1.0, 1.0)?;
+        let size = origin.abs().element_sum();
+        let chord = Chord::new(origin, size, dir, 1.0, 1.0, Roundings::OF_BALL)?;
         chord.entry(0.0, equation).map(|(t, _)| t)
     }
 

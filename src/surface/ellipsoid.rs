@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::chord::{Chord, Quadratic, is_beyond};
+use super::chord::{Chord, Quadratic, Roundings, is_beyond};
 use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
@@ -120,6 +120,8 @@ impl Ellipsoid {
 }
 
 impl Round for Ellipsoid {
+    const ROUNDINGS: Roundings = Roundings::OF_ELLIPSOID;
+
     fn center_and_axes(&self) -> [DVec3; 2] {
         [self.center, self.axes]
     }
@@ -161,6 +163,7 @@ impl Round for Ellipsoid {
             dir,
             dir.length_squared(),
             1.0,
+            Self::ROUNDINGS,
         )?;
         chord.entry(astray, || self.equation(ray))
     }

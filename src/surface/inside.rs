@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Surface;
-use super::chord::{Chord, Quadratic, side_of_ball};
+use super::chord::{Chord, Quadratic, Roundings, side_of_ball};
 use crate::math::exact::{Distance, Sign};
 use crate::math::{Ray, Segment, Side};
 
@@ -12,6 +12,9 @@ use crate::math::{Ray, Segment, Side};
 /// An opaque one, and one that bends nothing, is seen from outside only. Of one that light is bent
 /// by, a ray that is inside meets the far side.
 pub(super) trait Round: Surface {
+    /// How far rounding puts off what is computed in the space of the ball.
+    const ROUNDINGS: Roundings;
+
     /// The centre and the half axes.
     fn center_and_axes(&self) -> [DVec3; 2];
 
@@ -99,7 +102,8 @@ pub(super) trait Round: Surface {
             let (way, size) = ray.origin.seen_from(center);
             let stretch = self.most_stretch();
             let (size, rounding) = (size * stretch, ray.rounding() * stretch);
-            let side = side_of_ball(self.in_ball(way), size, rounding, self.ball_radius());
+            let (way, radius) = (self.in_ball(way), self.ball_radius());
+            let side = side_of_ball(way, size, rounding, radius, Self::ROUNDINGS);
             let inside = match (side, ray.departure) {
                 (Some(side), _) => side == Sign::Negative,
                 (None, None) => self.exactly_inside(&ray),
@@ -134,8 +138,9 @@ pub(super) trait Round: Surface {
         let (way, size) = ray.origin.seen_from(self.center_and_axes()[0]);
         let size = size * self.most_stretch();
         let dir = self.in_ball(ray.dir);
-        let way = self.in_ball(way);
-        Chord::of_line(way, size, dir, dir.length_squared(), self.ball_radius())
+        let (way, radius) = (self.in_ball(way), self.ball_radius());
+        let speed_squared = dir.length_squared();
+        Chord::of_line(way, size, dir, speed_squared, radius, Self::ROUNDINGS)
     }
 }
 

@@ -15,6 +15,7 @@ use std::fmt;
 use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
+use crate::math::band::{FLAT_SLIP, ROUND_SLIP};
 use crate::math::exact::{Distance, ExactVector};
 use crate::math::{Beam, Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 use crate::texture::{Filter, Texture};
@@ -74,6 +75,19 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// The centre and the half axes of a round surface.
     fn round(&self) -> Option<[DVec3; 2]> {
         None
+    }
+
+    /// How far at most a hit point may lie from where it ought to because its distance is off, in units of
+    /// the error of that.
+    ///
+    /// Where something round is met too far along the ray, the point is pushed back towards the centre, and so it
+    /// slides along the surface, by 1 / cos of the angle between the normal and the way from the centre: for half
+    /// axes `a ≥ b` never more than `(a/b + b/a) / 2`.
+    fn slip(&self) -> f64 {
+        self.round().map_or(FLAT_SLIP, |[_, axes]| {
+            let ratio = axes.max_element() / axes.min_element();
+            ROUND_SLIP * 0.5 * (ratio + ratio.recip())
+        })
     }
 
     /// The corners of a flat surface that has an end, in order around it; empty for others.

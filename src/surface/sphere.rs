@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::chord::{Chord, Quadratic, is_beyond};
+use super::chord::{Chord, Quadratic, Roundings, is_beyond};
 use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
 use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
@@ -86,6 +86,8 @@ impl Sphere {
 }
 
 impl Round for Sphere {
+    const ROUNDINGS: Roundings = Roundings::OF_BALL;
+
     fn center_and_axes(&self) -> [DVec3; 2] {
         [self.center, DVec3::splat(self.radius)]
     }
@@ -116,7 +118,14 @@ impl Round for Sphere {
     #[inline(always)]
     fn entry(&self, ray: &Ray) -> Option<(f64, f64)> {
         let origin = ray.origin.from(self.center);
-        let chord = Chord::new(origin, ray.size() + self.size, ray.dir, 1.0, self.radius)?;
+        let chord = Chord::new(
+            origin,
+            ray.size() + self.size,
+            ray.dir,
+            1.0,
+            self.radius,
+            Self::ROUNDINGS,
+        )?;
         chord.entry(ray.astray, || self.equation(ray))
     }
 }

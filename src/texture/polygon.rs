@@ -47,7 +47,11 @@ impl Polygon {
 
     /// The part in which a linear function of the image is not below zero (Sutherland and Hodgman
     /// 1974, "Reentrant Polygon Clipping").
-    pub(super) fn cut(&self, height: impl Fn(DVec3) -> f64) -> Self {
+    pub(super) fn cut(self, height: impl Fn(DVec3) -> f64) -> Self {
+        let mut corners = self.corners().iter();
+        if corners.all(|corner| height(corner.image) >= 0.0) {
+            return self;
+        }
         let mut part = Self {
             corners: self.corners,
             count: 0,

@@ -86,7 +86,7 @@ fn the_notes_in_a_png_tell_settings_and_scene_but_no_clock_and_no_path() {
     assert_eq!(keywords, ["Software", "Settings", "Scene hash"]);
     assert_eq!(
         notes[1].1,
-        "image 40 30 samples=1 pattern=\"stratified\" max-error=0 quantize=\"round\" cut-off=0.00098 numerics=\"robust\" texture-filter=\"nearest\""
+        "image 40 30 samples=1 pattern=\"stratified\" max-error=0 transfer=\"none\" quantize=\"round\" cut-off=0.00098 numerics=\"robust\" texture-filter=\"nearest\""
     );
     assert_eq!(notes[2].1.len(), 64);
 }

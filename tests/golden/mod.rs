@@ -61,14 +61,14 @@ pub(crate) fn picture(scene: &Path, options: &Options) -> Result<RgbImage, Compl
         .scene;
     let (film, _) =
         render(&scene, &|_| ()).map_err(|refusal| format!("{title}: {}", refusal.reason))?;
-    let rounding = scene.picture.rounding;
+    let encoding = scene.picture.encoding();
     Ok(RgbImage::from_fn(
         scene.picture.width,
         scene.picture.height,
         |column, row| {
             let pixel = film.pixel(column as usize, row as usize);
             // The code is at most 255, so its low byte is all of it.
-            let code = |channel| rounding.code(channel, 255).to_le_bytes()[0];
+            let code = |channel| encoding.code(channel, 255).to_le_bytes()[0];
             Rgb(pixel.channels().map(code))
         },
     ))

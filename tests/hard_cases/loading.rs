@@ -1,11 +1,10 @@
-//! Questions about reading a scene, and about code values.
+//! Questions about reading a scene.
 
 use crate::cases::{Case, Node};
-use crate::numbers::{exact, nearest, of, stepped};
 use crate::pictures::subject;
 use crate::rays::Answer;
 use crate::scenes::whole;
-use crate::subject::{BackEnd, Subject, code};
+use crate::subject::{BackEnd, Subject};
 
 /// `refused "scene" …`: the scene is an error, at a place, and the message names what is wrong.
 pub(crate) fn refused(node: &Node, back_end: BackEnd) -> Answer {
@@ -44,31 +43,4 @@ fn said(text: &str, node: &Node) -> Answer {
         Some(word) if !text.contains(word) => Err(format!("{word:?} is not named in:\n{text}")),
         _ => Ok(()),
     }
-}
-
-/// `thresholds nudges=…`: around each (k + ½)/255, every intensity x gets the code ⌊255 x + ½⌋.
-pub(crate) fn thresholds(node: &Node) -> Answer {
-    let most: i32 = node.number("nudges").unwrap_or(1);
-    for k in 0..255 {
-        let threshold = exact(&format!("{}/510", 2 * k + 1));
-        for steps in -most..=most {
-            let intensity = stepped(nearest(&threshold), steps);
-            let truth = if of(intensity) >= threshold { k + 1 } else { k };
-            let found = code(intensity);
-            if found != truth {
-                return Err(format!("{intensity:?} becomes {found}, expected {truth}"));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// `code "intensity" is=…`: the code value that an intensity becomes.
-pub(crate) fn one_code(node: &Node) -> Answer {
-    let (intensity, expected) = (node.value(), node.number::<u16>("is"));
-    let found = code(nearest(&exact(intensity)));
-    if Some(found) == expected {
-        return Ok(());
-    }
-    Err(format!("{intensity} becomes {found}"))
 }

@@ -8,7 +8,7 @@ use crate::cases::{self, Case, Node};
 use crate::numbers::{exact, is_close, words};
 use crate::rays::Answer;
 use crate::scenes::{self, whole};
-use crate::subject::{BackEnd, Subject};
+use crate::subject::{BackEnd, Encoding, Subject, code};
 
 /// The scene that a question is about.
 pub(crate) fn subject(node: &Node, case: &Case, back_end: BackEnd) -> Result<Subject, String> {
@@ -41,7 +41,7 @@ pub(crate) fn picture(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
             pixel
                 .channels()
                 .iter()
-                .all(|channel| crate::subject::code(*channel) == 255)
+                .all(|channel| code(*channel, Encoding::default(), 255) == 255)
         })?;
     }
     for drawn in node.all("drawn") {

@@ -1,7 +1,8 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
 use heliodon::accel::{Accelerator, Entry, SurfaceList};
-use heliodon::film::{Film, Rounding};
+use heliodon::film::Film;
+pub(crate) use heliodon::film::{Encoding, Rounding, Transfer};
 use heliodon::language::{Node, render_problems};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
@@ -181,9 +182,9 @@ pub(crate) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
     Ray::new(Point::exact(origin.into()), unit)
 }
 
-/// The code value from 0 to 255 that an intensity becomes.
-pub(crate) fn code(intensity: f64) -> u16 {
-    Rounding::Nearest.code(intensity, 255)
+/// The code value from 0 to the largest that an intensity becomes.
+pub(crate) fn code(intensity: f64, encoding: Encoding, largest: u16) -> u16 {
+    encoding.code(intensity, largest)
 }
 
 impl Stage {

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::cases::{Case, Node};
 use crate::rays::Answer;
 use crate::subject::BackEnd;
-use crate::{aimed, loading, pictures, pile, rays};
+use crate::{aimed, codes, loading, pictures, pile, rays};
 
 /// How a case ended under a back end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -75,8 +75,8 @@ fn answer(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
         "refused" => loading::refused(node, back_end),
         "accepted" => loading::accepted(node, back_end),
         "warned" => loading::warned(node, case, back_end),
-        "thresholds" => loading::thresholds(node),
-        "code" => loading::one_code(node),
+        "thresholds" => codes::thresholds(node),
+        "code" => codes::one_code(node),
         other => panic!("there is no question `{other}`"),
     }
 }
@@ -154,8 +154,11 @@ pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2
         ("refused", [&["names"], &[]]),
         ("accepted", [&[], &[]]),
         ("warned", [&["in", "names"], &[]]),
-        ("thresholds", [&["nudges"], &[]]),
-        ("code", [&["is"], &[]]),
+        (
+            "thresholds",
+            [&["nudges", "transfer", "quantize", "bits"], &[]],
+        ),
+        ("code", [&["is", "transfer", "quantize", "bits"], &[]]),
     ])
 }
 

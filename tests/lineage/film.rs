@@ -57,6 +57,36 @@ fn the_scene_chooses_the_rounding() {
     assert_eq!(rounding("quantize=\"truncate\""), Rounding::Truncate);
 }
 
+/// S16: the chapter has no curve; the scene may ask for one, and a PNG tells of it.
+#[test]
+fn a_curve_is_applied_if_the_scene_asks_for_it() {
+    let encoding = |property: &str| {
+        let text = format!("image 1 1 {property}\n camera {{ viewpoint 0 0 4; screen 1 1 }}");
+        Stage::new(&text).scene().picture.encoding()
+    };
+    let picture = film(1, &[Rgb::new(0.5, 0.002, 2.0)]);
+    let written = |format, property| {
+        let mut bytes = Vec::new();
+        picture
+            .write(&mut bytes, format, encoding(property), &Notes::default())
+            .unwrap();
+        bytes
+    };
+    let has = |bytes: &[u8], chunk: &[u8]| bytes.windows(4).any(|four| four == chunk);
+    let curve = "transfer=\"srgb\"";
+    assert!(written(Format::Ppm, "").ends_with(&[128, 1, 255]));
+    assert!(written(Format::Ppm, curve).ends_with(&[188, 7, 255]));
+    let truncated = "transfer=\"srgb\" quantize=\"truncate\"";
+    assert!(written(Format::Ppm, truncated).ends_with(&[187, 6, 255]));
+    assert_eq!(written(Format::Pfm, curve), written(Format::Pfm, ""));
+    for format in [Format::Png8, Format::Png16] {
+        for chunk in [b"sRGB", b"gAMA"] {
+            assert!(has(&written(format, curve), chunk));
+            assert!(!has(&written(format, ""), chunk));
+        }
+    }
+}
+
 /// R34, S16: a picture that was written is read back as a texture, every texel in its place.
 #[test]
 fn a_picture_is_read_back_as_a_texture() {

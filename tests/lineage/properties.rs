@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 use heliodon::accel::{SurfaceList, supports};
-use heliodon::math::{Departure, Point, Ray, Side, Span, unit};
+use heliodon::math::{Point, Ray, Side, Span, unit};
 use heliodon::surface::Surface;
 use proptest::prelude::*;
 
@@ -77,7 +77,7 @@ proptest! {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
         let Some((left, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else { return Ok(()) };
-        let departure = Departure::new(left.sheet(), &ray, hit.point, hit.error);
+        let departure = left.departure(&ray, &hit);
         let onward = Ray::leaving(&departure, unit(onward).unwrap());
         if let Some((met, _)) = list.nearest(&onward, Span::AHEAD, &mut 0) {
             prop_assert_ne!(met.support, left.support);

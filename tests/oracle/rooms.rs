@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 use heliodon::accel::SurfaceList;
-use heliodon::math::{Departure, Point, Ray, Span, unit};
-use heliodon::surface::{FinitePlane, Plane, Sphere, weld};
+use heliodon::math::{Point, Ray, Span, unit};
+use heliodon::surface::{FinitePlane, Hit, Plane, Sphere, weld};
 
 use super::cases::{Boxed, common};
 use super::random::Random;
@@ -227,7 +227,7 @@ impl Room {
                 point.offset[axis] += ulp * f64::from(random.between(-2, 2));
             }
         }
-        let departure = Departure::new(entry.sheet(), &ray, point, hit.error);
+        let departure = entry.departure(&ray, &Hit { point, ..hit });
         let way = random.cube();
         let inward = way - hit.normal * (2.0 * way.dot(hit.normal)).min(0.0);
         let next = Ray::leaving(&departure, unit(inward).unwrap_or(hit.normal));
@@ -281,7 +281,7 @@ impl Room {
         if bounces == 0 {
             return;
         }
-        let departure = Departure::new(entry.sheet(), ray, hit.point, hit.error);
+        let departure = entry.departure(ray, &hit);
         let through = can_be_passed && random.once_in(2);
         let dir = if through {
             ray.dir

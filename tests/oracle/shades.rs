@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use heliodon::accel::{LightView, SurfaceList};
-use heliodon::math::{Departure, Point, Ray, Segment, Span, unit};
+use heliodon::math::{Point, Ray, Segment, Span, unit};
 use heliodon::surface::{FinitePlane, weld};
 
 use super::cases::{Boxed, common, rectangle, rim, round, triangle};
@@ -31,7 +31,7 @@ fn what_is_not_asked_hides_nothing() {
             let Some((entry, hit)) = list.nearest(&seen, Span::AHEAD, &mut 0) else {
                 continue;
             };
-            let departure = Departure::new(entry.sheet(), &seen, hit.point, hit.error);
+            let departure = entry.departure(&seen, &hit);
             let Some(segment) = Segment::new(&departure, light) else {
                 continue;
             };

@@ -120,26 +120,29 @@ impl Distance {
         if !error.is_finite() {
             return 0.0;
         }
-        let t = number(t);
-        let apart = match self {
-            Self::Quotient(exact) => exact - t,
-            Self::Root(parabola) => {
-                // Closer than this makes no difference to the share.
-                let fine = number(error) / RBig::from(1000);
-                // If it is further away than this, that is seen as well.
-                let around = number(error) * RBig::from(2);
-                let (mut low, mut high) = (&t - &around, parabola.middle().min(&t + &around));
-                while &high - &low > fine {
-                    let middle = (&low + &high) / RBig::from(2);
-                    match parabola.compare_root(&middle) {
-                        Ordering::Less => high = middle,
-                        Ordering::Equal | Ordering::Greater => low = middle,
-                    }
-                }
-                low - t
-            }
-        };
+        let apart = self.near(t, error) - number(t);
         rounded(&(apart / number(error))).abs()
+    }
+
+    /// The exact distance, if it is near a computed one, but for a thousandth of the error that this admits.
+    ///
+    /// If it is further away than twice the error, that is seen as well.
+    pub(crate) fn near(&self, t: f64, error: f64) -> RBig {
+        let parabola = match self {
+            Self::Quotient(exact) => return exact.clone(),
+            Self::Root(parabola) => parabola,
+        };
+        let (t, fine) = (number(t), number(error) / RBig::from(1000));
+        let around = number(error) * RBig::from(2);
+        let (mut low, mut high) = (&t - &around, parabola.middle().min(&t + &around));
+        while &high - &low > fine {
+            let middle = (&low + &high) / RBig::from(2);
+            match parabola.compare_root(&middle) {
+                Ordering::Less => high = middle,
+                Ordering::Equal | Ordering::Greater => low = middle,
+            }
+        }
+        low
     }
 
     /// The nearest double, or nearly.

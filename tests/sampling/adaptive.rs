@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use heliodon::film::Film;
+use heliodon::film::{Film, Transfer};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, Tracer, observed, pixel_color};
@@ -127,4 +127,30 @@ fn a_pixel_alone_is_as_in_the_picture() {
         let alone = pixel_color(Tracer::new(&plan), &scene, column, row, &mut ());
         assert_eq!(alone, film.pixel(column, row), "{column},{row}");
     }
+}
+
+/// Tiles in the dark: without the curve they are worth no rays.
+const DUSK: &str = r#"
+    image 40 30 samples=1
+    camera { viewpoint 0 0 10; look-at 0 0 0; field-of-view 60 }
+    lighting { view-falloff "none" }
+    material "dusk" { ambient 0.025 }
+    material "night" { ambient 0 }
+    tiled-plane "wall" {
+        material "dusk"; alternate "night"
+        point -3 -2.03 0; normal 0 0 1; xdir 4 3 0; dimensions 2 2 }"#;
+
+#[test]
+fn what_is_right_is_what_is_shown() {
+    let (limit, curve) = (2.0 / 255.0, Transfer::Srgb);
+    let picture = |settings: &str| {
+        let text = DUSK.replace("samples=1", settings);
+        drawn(&of_text(&text)).0.shown(curve)
+    };
+    let truth = picture("samples=4096 pattern=\"sobol\"");
+    let within = |film: &Film| share_within(&errors(film, &truth), limit);
+    let blind = within(&picture("max-error=0.0078"));
+    let seeing = within(&picture("max-error=0.0078 transfer=\"srgb\""));
+    assert!(blind < 0.99, "{blind}");
+    assert!(seeing >= 0.995, "{seeing}");
 }

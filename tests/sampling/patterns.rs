@@ -1,70 +1,7 @@
-//! The patterns: how fast their errors fall, how evenly they are spread, and what they depend on.
+//! The patterns: how evenly they are spread, and what they depend on. How fast their errors fall is
+//! measured by `tests/laws.rs`.
 
 use heliodon::camera::{Pattern, Places};
-use heliodon::math::scramble;
-
-/// The area of a pixel around the origin that lies where `nx·x + ny·y < d`, for 0 ≤ nx ≤ ny.
-///
-/// The square's corner is cut off by up to three triangles; as the area of a polygon.
-fn covered(nx: f64, ny: f64, d: f64) -> f64 {
-    if nx == 0.0 {
-        return (d / ny + 0.5).clamp(0.0, 1.0);
-    }
-    // From the corner with the lowest value on; the part below is a triangle less what of it
-    // sticks out of the square.
-    let deep = d + 0.5 * (nx + ny);
-    let triangle = |side: f64| side.max(0.0).powi(2) / (2.0 * nx * ny);
-    triangle(deep) - triangle(deep - nx) - triangle(deep - ny) + triangle(deep - nx - ny)
-}
-
-/// The root of the mean squared error of so many rays where straight borders cross 1024 pixels.
-fn edge_error(pattern: Pattern, count: u32) -> f64 {
-    let pixels = 1024u32;
-    let mut sum = 0.0;
-    for pixel in 0..pixels {
-        let drawn = |number: u64| {
-            (scramble(scramble(u64::from(pixel)) ^ number) >> 11) as f64 / 2f64.powi(53)
-        };
-        let angle = drawn(1) * std::f64::consts::FRAC_PI_4;
-        let (nx, ny) = (libm::sin(angle), libm::cos(angle));
-        let d = (drawn(2) - 0.5) * (nx + ny);
-        let places = Places::new(pattern, pixel as usize, 7, count);
-        let inside = (0..count).filter(|number| {
-            let [x, y] = places.at(*number);
-            nx * x + ny * y < d
-        });
-        let error = inside.count() as f64 / f64::from(count) - covered(nx, ny, d);
-        sum += error * error;
-    }
-    (sum / f64::from(pixels)).sqrt()
-}
-
-#[test]
-fn errors_at_borders_fall_as_the_docs_say() {
-    let counts = [4, 16, 64, 256, 1024];
-    let mut table = String::new();
-    for pattern in [
-        Pattern::Random,
-        Pattern::Grid,
-        Pattern::Stratified,
-        Pattern::Sobol,
-    ] {
-        let errors = counts.map(|count| edge_error(pattern, count));
-        let exponent = libm::log(errors[4] / errors[1]) / libm::log(64.0);
-        let row: Vec<_> = errors.iter().map(|error| format!("{error:.5}")).collect();
-        table += &format!("{} {} {exponent:.2}\n", pattern.word(), row.join(" "));
-    }
-    assert_eq!(table, TABLE);
-}
-
-/// Pattern, the error of 4 rays and of 4 times as many each, and the power of the count by which
-/// it falls from 16 on.
-const TABLE: &str = "\
-random 0.17895 0.08906 0.04607 0.02250 0.01191 -0.48
-grid 0.09216 0.03452 0.01101 0.00418 0.00159 -0.74
-stratified 0.12702 0.04590 0.01649 0.00569 0.00200 -0.75
-sobol 0.11978 0.03808 0.01346 0.00469 0.00172 -0.74
-";
 
 /// The largest difference between the share of places in a box at the pixel's corner and its area
 /// (the star discrepancy), for boxes that end at places.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Cost;
-use super::plot::Axis;
+use super::plot::axes;
 
 /// The letter of each rung in the table and in the plot.
 pub(super) fn letters() -> impl Iterator<Item = char> {
@@ -15,7 +15,7 @@ const HEIGHT: usize = 14;
 
 /// The plot.
 pub(super) fn chart(cost: &Cost) -> String {
-    let (time, error) = Axis::of(cost);
+    let [time, error] = axes(cost);
     let mut cells = [[' '; WIDTH]; HEIGHT];
     for (rung, letter) in cost.rungs.iter().zip(letters()) {
         let column = place(time.share(rung.cpu.median), WIDTH);

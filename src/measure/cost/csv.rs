@@ -3,10 +3,11 @@
 use super::Cost;
 
 /// The columns. Times are in seconds, `max` in code values, `off` is a share of the pixels.
-pub(super) const COLUMNS: [&str; 19] = [
+pub(super) const COLUMNS: [&str; 20] = [
     "rung",
     "dial",
     "value",
+    "runs",
     "cpu",
     "cpu_mad",
     "wall",
@@ -40,6 +41,7 @@ impl Cost {
                 rung.label.clone(),
                 rung.dial.unwrap_or_default().to_owned(),
                 number(rung.value),
+                rung.runs.to_string(),
                 rung.cpu.median.to_string(),
                 number(rung.cpu.deviation),
                 rung.wall.median.to_string(),

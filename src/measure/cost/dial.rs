@@ -145,7 +145,9 @@ mod tests {
 
     #[test]
     fn every_property_of_the_picture_is_a_dial() {
-        for property in Picture::SCHEMA.properties {
+        // The curve is a matter of taste: no other picture is righter.
+        let properties = Picture::SCHEMA.properties.iter();
+        for property in properties.filter(|property| property.word != "transfer") {
             assert!(Dial::of(property.word).is_some(), "{}", property.word);
         }
     }

@@ -85,9 +85,10 @@ fn trade(points: &[[f64; 3]]) -> Trade {
     }
 }
 
-/// The exponent of the power that fits best (least squares of the logarithms); `None` of fewer than
-/// two places.
-fn exponent(points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+/// The exponent of the power of the first numbers that fits the second ones best: least squares of
+/// their logarithms. All have to be above zero; `None` of fewer than two different first ones.
+#[must_use]
+pub fn exponent(points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let points: Vec<_> = points.map(|point| point.map(libm::log)).collect();
     #[expect(clippy::cast_precision_loss, reason = "a few rungs")]
     let count = points.len() as f64;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::reference::written;
-use super::{Blame, Dial, Reference, Rung, Twin, draw, pictures};
+use super::{Blame, Dial, Rung, Truth, draw, pictures};
 use crate::film::Film;
 use crate::language::Refusal;
 use crate::measure::clock::timed_in_all_threads;
@@ -11,8 +11,6 @@ use crate::measure::deviation::rmse;
 use crate::measure::{Deviation, Timing};
 use crate::render::Counts;
 use crate::scene::Scene;
-
-use super::spots::Spots;
 
 /// What one rung takes and how far off it is.
 #[derive(Debug, Clone, Serialize)]
@@ -23,6 +21,8 @@ pub struct Measured {
     pub dial: Option<&'static str>,
     /// The number that it is turned to, if it takes one.
     pub value: Option<f64>,
+    /// How often it was drawn.
+    pub runs: usize,
     /// Processor time of all threads, in seconds.
     pub cpu: Timing,
     /// The time that goes by, in seconds.
@@ -122,25 +122,41 @@ impl Subject {
         Ok(film)
     }
 
-    /// The picture as it is compared: as it is written if the rung is about that.
-    pub(super) fn as_compared(&self, film: Film) -> Film {
+    /// The picture as it is compared: as it is shown, or as it is written if the rung is about that.
+    fn as_compared(&self, film: Film) -> Film {
         if self.rung.is_as_written() {
             written(&film, self.rung.picture)
         } else {
-            film
+            film.shown(self.rung.picture.transfer)
         }
     }
 
-    /// Finds out how far off the picture is.
+    /// Whether more runs would tell little about its time.
+    pub(super) fn has_settled(&self) -> bool {
+        Timing::of(&self.cpu).has_settled()
+    }
+
+    /// Finds out how far off its picture is, and keeps that if it is asked for.
     pub(super) fn compare(
         &mut self,
-        film: &Film,
-        reference: &Reference,
-        twins: &[Twin],
-        spots: &Spots,
-    ) {
-        let deviation = reference.deviation(film);
+        film: Film,
+        truth: &Truth,
+        pictures: bool,
+    ) -> Result<(), Refusal> {
+        let film = self.as_compared(film);
+        let reference = &truth.reference;
+        let (deviation, kept) = rayon::join(
+            || reference.deviation(&film),
+            || pictures.then(|| pictures::of(&film, &reference.film)),
+        );
         self.deviation = Some(deviation);
+        self.pictures = kept.transpose()?;
+        self.attribute(&film, deviation, truth);
+        Ok(())
+    }
+
+    /// Finds out what of the error is the dial's own, and where it errs.
+    fn attribute(&mut self, film: &Film, deviation: Deviation, truth: &Truth) {
         let as_it_is = self.rung.settings.is_empty();
         let dials = Dial::all().filter(|dial| {
             let turned = self.rung.dial.iter().chain(&self.rung.also);
@@ -150,7 +166,7 @@ impl Subject {
             turned.next().is_some() || is_step
         });
         for dial in dials {
-            let twin = twins.iter().find(|twin| twin.dial == dial.word);
+            let twin = truth.twins.iter().find(|twin| twin.dial == dial.word);
             let own = match twin {
                 Some(twin) => rmse(film, &twin.film),
                 None if dial.by_reference => deviation.rmse,
@@ -164,16 +180,10 @@ impl Subject {
                 rmse: own,
             });
             if self.rung.dial == Some(dial.word) {
-                let truth = twin.map_or(&reference.film, |twin| &twin.film);
-                self.blame = Blame::of(dial.word, &self.rung.label, film, truth, spots);
+                let best = twin.map_or(&truth.reference.film, |twin| &twin.film);
+                self.blame = Blame::of(dial.word, &self.rung.label, film, best, &truth.spots);
             }
         }
-    }
-
-    /// Keeps the picture.
-    pub(super) fn keep(&mut self, film: &Film, reference: &Reference) -> Result<(), Refusal> {
-        self.pictures = Some(pictures::of(film, &reference.film)?);
-        Ok(())
     }
 
     pub(super) fn measured(self) -> Measured {
@@ -191,6 +201,7 @@ impl Subject {
             label: self.rung.label,
             dial: self.rung.dial,
             value: own.and_then(|own| own.value),
+            runs: self.cpu.len(),
             cpu,
             wall: Timing::of(&self.wall),
             rays: self.counts.rays(),

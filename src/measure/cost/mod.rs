@@ -14,14 +14,13 @@ mod pictures;
 mod plot;
 mod reference;
 mod spots;
-mod svg;
 mod table;
 
 pub use blame::Blame;
 pub use choice::{Best, Limit, Metric};
 pub use dial::{DIALS, Dial};
 pub use ladder::{Ladder, Rung, Variation};
-pub use law::{Law, Trade};
+pub use law::{Law, Trade, exponent};
 pub use measured::{Measured, Pictures};
 pub use reference::{Doubt, Reference};
 pub use spots::Spot;
@@ -42,7 +41,7 @@ use spots::Spots;
 pub struct Cost {
     /// Width and height of the picture in pixels.
     pub size: [u32; 2],
-    /// How often each rung was drawn; times are medians of so many runs.
+    /// How often each rung was drawn at most; times are medians of its runs.
     pub runs: u32,
     /// How many threads drew.
     pub threads: usize,
@@ -58,7 +57,8 @@ pub struct Cost {
     pub recommended: Best,
 }
 
-/// Measures what the rungs of a ladder cost: draws each of them in turn, as often as `runs` says,
+/// Measures what the rungs of a ladder cost: draws each of them in turn, at most as often as `runs`
+/// says and no more once its time has settled ([`Timing::has_settled`](super::Timing::has_settled)),
 /// on all threads of the current pool, after one run that is not counted; and compares them with a
 /// reference, the best picture that there is if none is given.
 ///
@@ -92,12 +92,15 @@ fn climbed(
     let base = scene.picture;
     // The reference and the best of each dial are about as much work as one run.
     let steps = (runs as usize + 1) * ladder.0.len();
-    let spots = Spots::of(scene)?;
-    let reference = match reference {
-        Some(reference) => reference,
-        None => Reference::automatic(scene, ladder)?,
+    let truth = Truth {
+        // First, while the scene has its own settings.
+        spots: Spots::of(scene)?,
+        reference: match reference {
+            Some(reference) => reference,
+            None => Reference::automatic(scene, ladder)?,
+        },
+        twins: twins(scene, base, ladder)?,
     };
-    let twins = twins(scene, base, ladder)?;
     // Not measured: the first picture also fetches program and textures into the caches.
     draw(scene, base)?;
     let mut done = ladder.0.len();
@@ -106,12 +109,10 @@ fn climbed(
     let mut subjects: Vec<_> = subjects.map(|rung| Subject::new(rung.clone())).collect();
     for run in 0..runs {
         for subject in &mut subjects {
-            let film = subject.draw(scene)?;
-            if run == 0 {
-                let film = subject.as_compared(film);
-                subject.compare(&film, &reference, &twins, &spots);
-                if pictures {
-                    subject.keep(&film, &reference)?;
+            if !subject.has_settled() {
+                let film = subject.draw(scene)?;
+                if run == 0 {
+                    subject.compare(film, &truth, pictures)?;
                 }
             }
             done += 1;
@@ -127,9 +128,17 @@ fn climbed(
         laws: law::all(&rungs),
         blames: blame::all(&rungs, scene),
         recommended: choice::recommended(&rungs),
-        reference,
+        reference: truth.reference,
         rungs,
     })
+}
+
+/// What a rung is compared with, and what there is to be seen where it errs.
+#[derive(Debug)]
+struct Truth {
+    reference: Reference,
+    twins: Vec<Twin>,
+    spots: Spots,
 }
 
 /// A picture in which one dial is at its best, and else what the scene says.
@@ -157,7 +166,7 @@ fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>,
         let (film, _) = draw(scene, best)?;
         twins.push(Twin {
             dial: dial.word,
-            film,
+            film: film.shown(best.transfer),
         });
     }
     Ok(twins)

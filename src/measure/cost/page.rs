@@ -4,11 +4,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 
-use super::plot::{STYLE, color};
-use super::svg::escaped;
+use super::plot::color;
 use super::table::{median, percent};
 use super::{Blame, Cost, Measured, pictures};
 use crate::language::Refusal;
+use crate::measure::plot::{STYLE, escaped};
 
 const TEMPLATE: &str = include_str!("page.html");
 
@@ -35,7 +35,7 @@ impl Cost {
             }
             "style" => STYLE.to_owned(),
             "wide" => self.plot_element("wide", [1000.0, 520.0]),
-            "narrow" => self.plot_element("narrow", [390.0, 460.0]),
+            "narrow" => self.plot_element("narrow", [390.0, 470.0]),
             "rows" => self.rungs.iter().enumerate().map(row).collect(),
             "data" => self.data(&reference),
             _ => String::new(),

@@ -28,10 +28,10 @@ pub(super) fn of(film: &Film, reference: &Film) -> Result<Pictures, Refusal> {
     });
     let errors: Vec<_> = errors.collect();
     let size = [film.width(), film.height()];
-    let heat = heat(&errors, size).map_err(|error| cannot(&error.to_string()))?;
+    let (picture, heat) = rayon::join(|| png(film), || heat(&errors, size));
     Ok(Pictures {
-        picture: png(film)?,
-        errors: heat,
+        picture: picture?,
+        errors: heat.map_err(|error| cannot(&error.to_string()))?,
         worst: worst(&errors, size),
     })
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::dial::best_of;
 use super::{Ladder, draw};
-use crate::film::Film;
+use crate::film::{Film, Transfer};
 use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::measure::deviation::rmse;
@@ -15,7 +15,7 @@ use serde::Serialize;
 /// The picture that all others are compared with.
 #[derive(Debug, Clone, Serialize)]
 pub struct Reference {
-    /// The picture.
+    /// The picture as it is shown.
     #[serde(skip)]
     pub film: Film,
     /// How it was made.
@@ -58,8 +58,10 @@ impl Reference {
         }
         let [weight, other_weight] = counts.map(f64::from);
         let film = mixed(&halves[0], &halves[1], weight / (weight + other_weight));
+        let halves = halves.into_iter().map(|half| half.shown(best.transfer));
+        let halves: Vec<_> = halves.collect();
         Ok(Self {
-            film,
+            film: film.shown(best.transfer),
             about: format!(
                 "{} samples in two halves, each dial at its best",
                 counts[0] + counts[1]
@@ -71,12 +73,16 @@ impl Reference {
         })
     }
 
-    /// A picture in a file: PNG, PPM or PFM, of the size of the scene's.
+    /// A picture in a file: PNG, PPM or PFM, of the size of the scene's, whose curve this is.
     ///
     /// # Errors
     /// Tells what is wrong with the file.
-    pub fn from_file(path: &Path, [width, height]: [u32; 2]) -> Result<Self, String> {
-        let film = Film::read(path)?;
+    pub fn from_file(
+        path: &Path,
+        [width, height]: [u32; 2],
+        transfer: Transfer,
+    ) -> Result<Self, String> {
+        let film = Film::read(path, transfer)?;
         if [film.width(), film.height()] != [width as usize, height as usize] {
             return Err(format!(
                 "it has {}x{} pixels, and the scene's picture {width}x{height}",
@@ -112,7 +118,7 @@ pub(super) fn written(film: &Film, picture: Picture) -> Film {
     let mut written = film.clone();
     for pixel in written.pixels_mut() {
         let channels = pixel.channels();
-        let [r, g, b] = channels.map(|c| f64::from(picture.rounding.code(c, 255)) / 255.0);
+        let [r, g, b] = channels.map(|c| f64::from(picture.encoding().code(c, 255)) / 255.0);
         *pixel = Rgb::new(r, g, b);
     }
     written

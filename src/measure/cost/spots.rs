@@ -123,7 +123,7 @@ impl Spots {
             }
         };
         Ok(Self {
-            spots: (0..tracks.len()).map(spot).collect(),
+            spots: (0..tracks.len()).into_par_iter().map(spot).collect(),
             surfaces: tracks
                 .iter()
                 .map(|track| track.met.first().copied())

@@ -79,9 +79,13 @@ impl Cost {
             1 => "1 thread".to_owned(),
             threads => format!("{threads} threads"),
         };
-        match self.runs {
-            1 => format!("one run on {threads}"),
-            runs => format!("medians of {runs} runs on {threads}"),
+        let runs = || self.rungs.iter().map(|rung| rung.runs);
+        match (runs().min().unwrap_or(1), runs().max().unwrap_or(1)) {
+            (_, 1) => format!("one run on {threads}"),
+            (least, most) if least < most => {
+                format!("medians of {least} to {most} runs on {threads}")
+            }
+            (_, most) => format!("medians of {most} runs on {threads}"),
         }
     }
 }

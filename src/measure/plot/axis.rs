@@ -1,0 +1,79 @@
+//! Logarithmic axes.
+
+/// A logarithmic axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::measure) struct Axis {
+    /// Its lower end; above zero.
+    pub(in crate::measure) least: f64,
+    /// Its upper end; above the lower one.
+    pub(in crate::measure) most: f64,
+}
+
+impl Axis {
+    /// An axis around these numbers, as far as they are above zero.
+    pub(in crate::measure) fn around(numbers: impl Iterator<Item = f64>) -> Self {
+        let positive = numbers.filter(|number| *number > 0.0);
+        let (least, most) = positive.fold((f64::INFINITY, 0.0_f64), |(least, most), number| {
+            (least.min(number), most.max(number))
+        });
+        if least > most {
+            return Self {
+                least: 0.1,
+                most: 1.0,
+            };
+        }
+        Self {
+            least: least / 1.4,
+            most: most * 1.4,
+        }
+    }
+
+    /// Where a number is, from 0 to 1; what is too small is at the lower end.
+    pub(in crate::measure) fn share(self, number: f64) -> f64 {
+        let [least, most, number] =
+            [self.least, self.most, number.max(self.least)].map(libm::log10);
+        ((number - least) / (most - least)).clamp(0.0, 1.0)
+    }
+
+    /// Round numbers on it: 1, 2 and 5 times powers of ten; the powers alone if there are enough of
+    /// them, and of a very long axis every third or sixth.
+    pub(super) fn marks(self) -> Vec<f64> {
+        let decades = libm::log10(self.most / self.least);
+        let (steps, every): (&[f64], usize) = match decades {
+            short if short < 2.5 => (&[1.0, 2.0, 5.0], 1),
+            long if long < 8.0 => (&[1.0], 1),
+            long if long < 16.0 => (&[1.0], 3),
+            _ => (&[1.0], 6),
+        };
+        let marks = (-30..=30).step_by(every).flat_map(|power| {
+            let power = libm::pow(10.0, f64::from(power));
+            steps.iter().map(move |step| step * power)
+        });
+        marks
+            .filter(|mark| (self.least..=self.most).contains(mark))
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_factors_are_equally_far_apart() {
+        let axis = Axis::around([1.4, 0.0, 100.0 / 1.4].into_iter());
+        assert!((axis.least - 1.0).abs() < 1e-12 && (axis.most - 100.0).abs() < 1e-9);
+        assert!((axis.share(10.0) - 0.5).abs() < 1e-9);
+        assert_eq!([0.0, 1e-9, 1e9].map(|it| axis.share(it)), [0.0, 0.0, 1.0]);
+        let nothing = Axis::around(std::iter::empty());
+        assert!(nothing.least < nothing.most);
+    }
+
+    #[test]
+    fn marks_are_neither_few_nor_many() {
+        for most in [3.0, 50.0, 1e3, 1e6, 1e20] {
+            let marks = Axis { least: 1.0, most }.marks();
+            assert!((2..=10).contains(&marks.len()), "{most}: {marks:?}");
+        }
+    }
+}
