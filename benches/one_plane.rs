@@ -1,9 +1,9 @@
 //! What everything that a scene does not call for costs: a scene of one plane and no light, beside a
 //! loop written for that scene alone.
 //!
-//! `cargo bench --bench one_plane [-- PAIRS]` renders both in turn on one thread and prints the median
-//! CPU times, which other programs disturb less, and the median of their ratios. The pictures are the
-//! same to a rounding.
+//! `cargo bench --bench one_plane [-- PAIRS]` renders both in turn on the same thread and prints the
+//! median CPU times, which other programs disturb less, and the median of their ratios. The pictures
+//! are the same to a rounding.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut times = Vec::new();
     for _ in 0..named.unwrap_or(PAIRS) {
         let (ours, film) = timed(|| pool.install(|| rendered(&scene)));
-        let (loops, other) = timed(by_hand);
+        let (loops, other) = timed(|| pool.install(by_hand));
         let pairs = film.pixels().iter().zip(other.pixels());
         let apart = pairs.map(|(a, b)| (a.r - b.r).abs()).fold(0.0, f64::max);
         assert!(apart < 1e-12, "the pictures differ by {apart}");

@@ -60,49 +60,53 @@ impl<'a> Tracer<'a> {
         pixels: &mut [Rgb],
         probe: &mut impl Probe,
     ) {
-        let (camera, row) = (&self.plan.camera, stretch.row);
+        let screen = self.plan.camera.screen();
         let crossings = entry.flat.map_or(Crossings::Unknown, |flat| {
-            flat.crossings(&stretch.fan(), camera.screen())
+            flat.crossings(&stretch.fan(), screen)
         });
-        let set_out = |probe: &mut _| {
-            Probe::ray(probe, RayKind::Camera, Rgb::WHITE);
-            Probe::hit_tests(probe, 1);
-        };
         let is_plain = self.plan.is_unlit() && probe.only_counts();
         match (crossings, entry.plain.filter(|_| is_plain)) {
             (Crossings::Never, _) => {
                 for pixel in pixels {
-                    set_out(probe);
+                    asked_once(probe);
                     *pixel = nothing(probe);
                 }
             }
             (Crossings::Always(distances), Some(ambient)) => {
-                pixels.iter().for_each(|_| set_out(probe));
+                pixels.iter().for_each(|_| asked_once(probe));
                 self.fade(ambient, &distances, stretch, pixels);
             }
-            (Crossings::Unknown, _) if camera.screen().is_some() => {
-                self.draw_each(stretch, pixels, probe);
-            }
-            _ => {
-                let mut rays = [row.ray(0.0); LONGEST];
-                let mut met = [None; LONGEST];
-                for (x, ray) in stretch.places().zip(&mut rays) {
-                    ray.dir = row.dir(x);
+            (Crossings::Unknown, _) if screen.is_some() => self.draw_each(stretch, pixels, probe),
+            _ => self.draw_together(entry, stretch, pixels, probe),
+        }
+    }
+
+    /// Draws a stretch through which rays can meet no surface but one, which counts wherever they do.
+    fn draw_together(
+        &self,
+        entry: &Entry<'a>,
+        stretch: &Stretch<'_>,
+        pixels: &mut [Rgb],
+        probe: &mut impl Probe,
+    ) {
+        let row = stretch.row;
+        let mut rays = [row.ray(0.0); LONGEST];
+        let mut met = [None; LONGEST];
+        for (x, ray) in stretch.places().zip(&mut rays) {
+            ray.dir = row.dir(x);
+        }
+        let (rays, met) = (&rays[..pixels.len()], &mut met[..pixels.len()]);
+        entry.surface.meetings(rays, met);
+        let places = stretch.places().zip(pixels);
+        for ((ray, met), (x, pixel)) in rays.iter().zip(met).zip(places) {
+            asked_once(probe);
+            *pixel = match met {
+                Some(hit) => {
+                    let seed = Seed::of_place(x, row.y);
+                    self.shown([x, row.y], ray, (entry, hit), seed, probe)
                 }
-                let (rays, met) = (&rays[..pixels.len()], &mut met[..pixels.len()]);
-                entry.surface.meetings(rays, met);
-                let places = stretch.places().zip(pixels);
-                for ((ray, met), (x, pixel)) in rays.iter().zip(met).zip(places) {
-                    set_out(probe);
-                    *pixel = match met {
-                        Some(hit) => {
-                            let seed = Seed::of_place(x, row.y);
-                            self.shown([x, row.y], ray, (entry, hit), seed, probe)
-                        }
-                        None => nothing(probe),
-                    };
-                }
-            }
+                None => nothing(probe),
+            };
         }
     }
 
@@ -118,6 +122,12 @@ impl<'a> Tracer<'a> {
             *pixel = (color / falloff.divisor(*distance)).saturated() + Rgb::BLACK;
         }
     }
+}
+
+/// Tells of a ray from the eye for which one surface is asked.
+fn asked_once(probe: &mut impl Probe) {
+    probe.ray(RayKind::Camera, Rgb::WHITE);
+    probe.hit_tests(1);
 }
 
 fn small(number: usize) -> u32 {
