@@ -2,12 +2,13 @@
 //! loop written for that scene alone.
 //!
 //! `cargo bench --bench one_plane [-- PAIRS]` renders both in turn on one thread and prints the median
-//! times and the median of their ratios. The pictures are the same to a rounding.
+//! CPU times, which other programs disturb less, and the median of their ratios. The pictures are the
+//! same to a rounding.
 
 use std::error::Error;
 use std::path::PathBuf;
-use std::time::Instant;
 
+use cpu_time::ProcessTime;
 use glam::DVec3;
 use heliodon::film::Film;
 use heliodon::math::Rgb;
@@ -41,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!(apart < 1e-12, "the pictures differ by {apart}");
         times.push((ours, loops));
     }
-    println!("one plane, no light, {WIDTH}x{HEIGHT}, one thread");
+    println!("one plane, no light, {WIDTH}x{HEIGHT}, one thread, CPU time");
     println!(
         "heliodon      {:.1} ms",
         1e3 * median(&times, |pair| pair.0)
@@ -85,7 +86,7 @@ fn by_hand() -> Film {
 }
 
 fn timed(draw: impl FnOnce() -> Film) -> (f64, Film) {
-    let start = Instant::now();
+    let start = ProcessTime::now();
     let film = draw();
     (start.elapsed().as_secs_f64(), film)
 }

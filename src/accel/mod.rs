@@ -180,39 +180,54 @@ fn nearest<'e, 'a>(
 fn found<'e, 'a, 'r>(
     ray: &'r Ray<'r>,
     limits: &'r Limits<'r>,
-    mut ask: impl FnMut(&mut Search<'e, 'a, 'r>),
+    mut ask: impl FnMut(&mut Search<'e, 'a, 'r, '_>),
 ) -> Option<(&'e Entry<'a>, Hit)> {
-    let mut search = Search::new(ray, limits.span());
-    ask(&mut search);
-    let (entry, hit) = search.best.as_ref()?;
-    if !limits.hold(hit.t, hit.error, entry.flat) {
-        search = Search::new(ray, limits.span());
-        search.limits = Some(limits);
-        ask(&mut search);
+    let mut best = None;
+    ask(&mut Search::new(ray, limits.span(), None, &mut best));
+    let does_not_count = |(entry, hit): &(&Entry<'_>, Hit)| {
+        let is_held = limits.hold(hit.t, hit.error, entry.flat);
+        !is_held
+    };
+    if best.as_ref().is_some_and(does_not_count) {
+        best = None;
+        ask(&mut Search::new(
+            ray,
+            limits.span(),
+            Some(limits),
+            &mut best,
+        ));
     }
-    search.found()
+    if let Some((entry, hit)) = &mut best {
+        entry.surface.settle(hit, ray);
+    }
+    best
 }
 
 /// The search for the surface that a ray meets first; what it finds does not depend on the order in
 /// which surfaces are asked.
-struct Search<'e, 'a, 'r> {
+struct Search<'e, 'a, 'r, 'b> {
     ray: &'r Ray<'r>,
     left: Option<Support>,
     /// What each hit is asked for whether it counts.
     limits: Option<&'r Limits<'r>>,
     /// The distances that still may.
     span: Span,
-    best: Option<(&'e Entry<'a>, Hit)>,
+    best: &'b mut Option<(&'e Entry<'a>, Hit)>,
 }
 
-impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
-    fn new(ray: &'r Ray<'r>, span: Span) -> Self {
+impl<'e, 'a, 'r, 'b> Search<'e, 'a, 'r, 'b> {
+    fn new(
+        ray: &'r Ray<'r>,
+        span: Span,
+        limits: Option<&'r Limits<'r>>,
+        best: &'b mut Option<(&'e Entry<'a>, Hit)>,
+    ) -> Self {
         Self {
             ray,
             left: ray.leaves(),
-            limits: None,
+            limits,
             span,
-            best: None,
+            best,
         }
     }
 
@@ -231,20 +246,13 @@ impl<'e, 'a, 'r> Search<'e, 'a, 'r> {
         {
             return;
         }
-        if let Some((best, best_hit)) = &self.best
+        if let Some((best, best_hit)) = &*self.best
             && !entry.is_before(hit, best, best_hit, self.ray)
         {
             return;
         }
         self.span = self.span.until(hit.t + hit.error);
-        self.best = Some((entry, *hit));
-    }
-
-    fn found(mut self) -> Option<(&'e Entry<'a>, Hit)> {
-        if let Some((entry, hit)) = &mut self.best {
-            entry.surface.settle(hit, self.ray);
-        }
-        self.best
+        *self.best = Some((entry, *hit));
     }
 }
 

@@ -42,7 +42,7 @@ const CLEARLY: f64 = 1_048_576.0;
 
 /// How much further than a limit all rays of a fan have to cross a plane to be decided at once: by far
 /// more than the distances can be off by, which `CLEARLY` sees to.
-const BEYOND: f64 = 1.0 + 1.0 / 1024.0;
+const BEYOND: f64 = 1.0 + 1.0 / 512.0;
 
 impl Flat {
     /// Where the rays of a fan cross the plane; what is not below a `screen` across the z axis does not
@@ -97,5 +97,62 @@ impl Distances {
     #[inline(always)]
     pub fn along(&self, dir: DVec3) -> f64 {
         super::crossing::distance(self.height, self.normal.dot(dir))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Limits, Point, direction, scramble};
+
+    /// Numbers from −1 up to 1, the same on every run.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut drawn = 0;
+        move || {
+            drawn += 1;
+            let bits = u32::try_from(scramble(drawn) >> 32).expect("32 bits");
+            f64::from(bits) / f64::from(1u32 << 31) - 1.0
+        }
+    }
+
+    #[test]
+    fn what_is_decided_for_a_fan_is_what_each_of_its_rays_does() {
+        let mut number = numbers();
+        let mut vector = |size: f64| DVec3::new(number(), number(), number()) * size;
+        let (mut always, mut never, mut unknown) = (0, 0, 0);
+        for round in 0..40_000 {
+            let eye = Point::exact(vector(3.0) + DVec3::Z * 4.0);
+            let (first, across) = (vector(1.0) - DVec3::Z * 1.5, vector(0.2));
+            let flat = Flat::new(vector(2.0), vector(1.0)).expect("a plane");
+            let screen = Flat::with_unit_normal(vector(1.0), DVec3::Z);
+            let screen = (round % 2 == 0).then_some(&screen);
+            let way = |share: f64| first + across * share;
+            let fan = Fan {
+                ray: Ray::new(eye, DVec3::Z),
+                ends: [way(0.0), way(1.0)],
+                size: first.abs().element_sum() + across.abs().element_sum(),
+            };
+            let crossings = flat.crossings(&fan, screen);
+            match crossings {
+                Crossings::Always(_) => always += 1,
+                Crossings::Never => never += 1,
+                Crossings::Unknown => unknown += 1,
+            }
+            for step in 0..=8 {
+                let ray = Ray::new(eye, direction(way(f64::from(step) / 8.0)));
+                let limits = screen.map_or(Limits::AHEAD, |screen| Limits::below(screen, &ray));
+                let met = flat.hits(&ray, limits.span());
+                let met = met.filter(|(t, error)| limits.hold(*t, *error, Some(&flat)));
+                let met = met.map(|(t, _)| t);
+                match crossings {
+                    Crossings::Always(distances) => {
+                        assert_eq!(met, Some(distances.along(ray.dir)), "{flat:?} {fan:?}");
+                    }
+                    Crossings::Never => assert_eq!(met, None, "{flat:?} {fan:?}"),
+                    Crossings::Unknown => {}
+                }
+            }
+        }
+        assert!(always > 8000 && never > 8000, "{always} {never} {unknown}");
     }
 }

@@ -101,9 +101,13 @@ impl Rectangle {
     /// from the exact one, and the offset from the corner along x and y in world units.
     ///
     /// All four borders belong to the rectangle, but for those that a neighbour owns.
-    #[must_use]
     #[inline(always)]
-    pub fn hits<H>(&self, ray: &Ray, span: Span, hit: impl Fn(f64, f64, DVec2) -> H) -> Option<H> {
+    pub fn hits<H>(
+        &self,
+        ray: &Ray,
+        span: Span,
+        hit: impl FnOnce(f64, f64, DVec2) -> H,
+    ) -> Option<H> {
         match self.flat.certain_crossing(ray) {
             Ok(crossing) => {
                 let (t, error, offset) = self.met(&crossing?, ray, span)?;
@@ -120,7 +124,7 @@ impl Rectangle {
         &self,
         ray: &Ray,
         span: Span,
-        hit: impl Fn(f64, f64, DVec2) -> H,
+        hit: impl FnOnce(f64, f64, DVec2) -> H,
     ) -> Option<H> {
         let crossing = self.flat.doubtful_crossing(ray)?;
         let (t, error, offset) = self.met(&crossing, ray, span)?;

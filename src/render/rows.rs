@@ -5,7 +5,7 @@ use super::{Probe, RayKind, Seed, Tracer};
 use crate::accel::{Ahead, Entry};
 use crate::camera::Stretch;
 use crate::film::Region;
-use crate::math::{Crossings, Distances, Limits, Rgb};
+use crate::math::{Crossings, Distances, Rgb};
 
 /// The most pixels in a stretch. Fewer, and what is found out about each is seldom used; more, and in
 /// more of them several surfaces can be seen.
@@ -42,11 +42,13 @@ impl<'a> Tracer<'a> {
                 }
             }
             Ahead::One(entry) => self.draw_one(entry, stretch, pixels, probe),
-            Ahead::Several => {
-                for (x, pixel) in stretch.places().zip(pixels) {
-                    *pixel = self.sees(x, stretch.row.y, probe);
-                }
-            }
+            Ahead::Several => self.draw_each(stretch, pixels, probe),
+        }
+    }
+
+    fn draw_each(&self, stretch: &Stretch<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
+        for (x, pixel) in stretch.places().zip(pixels) {
+            *pixel = self.sees(x, stretch.row.y, probe);
         }
     }
 
@@ -78,25 +80,26 @@ impl<'a> Tracer<'a> {
                 pixels.iter().for_each(|_| set_out(probe));
                 self.fade(ambient, &distances, stretch, pixels);
             }
+            (Crossings::Unknown, _) if camera.screen().is_some() => {
+                self.draw_each(stretch, pixels, probe);
+            }
             _ => {
-                let is_beyond = matches!(crossings, Crossings::Always(_));
-                for (x, pixel) in stretch.places().zip(pixels) {
+                let mut rays = [row.ray(0.0); LONGEST];
+                let mut met = [None; LONGEST];
+                for (x, ray) in stretch.places().zip(&mut rays) {
+                    ray.dir = row.dir(x);
+                }
+                let (rays, met) = (&rays[..pixels.len()], &mut met[..pixels.len()]);
+                entry.surface.meetings(rays, met);
+                let places = stretch.places().zip(pixels);
+                for ((ray, met), (x, pixel)) in rays.iter().zip(met).zip(places) {
                     set_out(probe);
-                    let ray = row.ray(x);
-                    let limits = if is_beyond {
-                        Limits::AHEAD
-                    } else {
-                        camera.span(&ray)
-                    };
-                    // It is changed in place, as copies of what was just written are slow.
-                    let mut met = entry.surface.hits(&ray, limits.span());
-                    *pixel = match &mut met {
-                        Some(hit) if limits.hold(hit.t, hit.error, entry.flat) => {
-                            entry.surface.settle(hit, &ray);
+                    *pixel = match met {
+                        Some(hit) => {
                             let seed = Seed::of_place(x, row.y);
-                            self.shown([x, row.y], &ray, (entry, hit), seed, probe)
+                            self.shown([x, row.y], ray, (entry, hit), seed, probe)
                         }
-                        _ => nothing(probe),
+                        None => nothing(probe),
                     };
                 }
             }

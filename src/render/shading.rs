@@ -6,22 +6,43 @@ use crate::math::{Departure, Ray, Rgb, Segment};
 use crate::plan::Scope;
 use crate::surface::Hit;
 
-use super::{Arrival, Probe, RayKind, Tracer};
+use super::{Arrival, Probe, RayKind, Seed, Tracer};
 
 impl Tracer<'_> {
-    /// What the surface itself sends back along a ray: ambient, and the light of every light.
+    /// What the surface itself sends back along a ray, faded by a divisor: ambient, and the light of
+    /// every light and lamp.
     // Never inlined, as the stack then holds its part for every mirror on the way.
     #[inline(never)]
-    pub(super) fn local_color(
+    pub(super) fn own_color(
         &self,
         ray: &Ray,
-        entry: &Entry<'_>,
+        (entry, hit): (&Entry<'_>, &Hit),
+        (departure, divisor, seed): (&Departure<'_>, f64, Seed),
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let mut color = self.color_of_lights(ray, (entry, hit), departure, probe);
+        let mut of_lamps = Rgb::BLACK;
+        if !self.plan.lamp_views.is_empty() {
+            of_lamps = self.lamplight(ray, entry, departure, hit, seed, probe);
+            color = (color + of_lamps).saturated();
+        }
+        color = (color / divisor).saturated();
+        probe.own_color(color, of_lamps / divisor);
+        color
+    }
+
+    /// What the surface itself sends back along a ray: ambient, and the light of every light.
+    #[inline(always)]
+    fn color_of_lights(
+        &self,
+        ray: &Ray,
+        (entry, hit): (&Entry<'_>, &Hit),
         departure: &Departure<'_>,
-        hit: &Hit,
         probe: &mut impl Probe,
     ) -> Rgb {
         let surface = entry.surface;
-        let mut color = surface.getamb(hit);
+        // A sum, which is kept where sums are made, and not where the answer was written.
+        let mut color = surface.getamb(hit) + Rgb::BLACK;
         if self.plan.scene.lights.is_empty() {
             return color;
         }

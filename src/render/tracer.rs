@@ -91,13 +91,13 @@ impl<'a> Tracer<'a> {
         let plan = self.plan;
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
-        let met = match &plan.sight {
+        let mut met = match &plan.sight {
             Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
             None => plan.surfaces.nearest(&ray, span, &mut tests),
         };
         probe.hit_tests(tests);
-        match met {
-            Some((entry, mut hit)) => self.shown([x, y], &ray, (entry, &mut hit), seed, probe),
+        match &mut met {
+            Some((entry, hit)) => self.shown([x, y], &ray, (entry, hit), seed, probe),
             None => nothing(probe),
         }
     }
@@ -134,10 +134,10 @@ impl<'a> Tracer<'a> {
     fn trace(&self, ray: &Ray, path: &Path, budget: &mut Budget, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
         let span = self.plan.camera.span(ray);
-        let met = self.plan.surfaces.nearest(ray, span, &mut tests);
+        let mut met = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.hit_tests(tests);
-        match met {
-            Some((entry, mut hit)) => self.color_of((entry, &mut hit), ray, path, budget, probe),
+        match &mut met {
+            Some((entry, hit)) => self.color_of((entry, hit), ray, path, budget, probe),
             None => nothing(probe),
         }
     }
@@ -176,14 +176,8 @@ impl<'a> Tracer<'a> {
             return color;
         }
         let departure = entry.departure(ray, hit);
-        let mut local = self.local_color(ray, entry, &departure, hit, probe);
-        let mut of_lamps = Rgb::BLACK;
-        if !self.plan.lamp_views.is_empty() {
-            of_lamps = self.lamplight(ray, entry, &departure, hit, path.seed, probe);
-            local = (local + of_lamps).saturated();
-        }
-        let mut color = (local / divisor).saturated();
-        probe.own_color(color, of_lamps / divisor);
+        let lit = (&departure, divisor, path.seed);
+        let mut color = self.own_color(ray, (entry, hit), lit, probe);
         if !sends_on {
             probe.came_back(color);
             return color;

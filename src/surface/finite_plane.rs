@@ -86,6 +86,19 @@ impl FinitePlane {
         &self.rectangle
     }
 
+    /// The hit at this distance and offset from the corner.
+    #[inline(always)]
+    fn hit(&self, t: f64, error: f64, uv: DVec2) -> Hit {
+        Hit {
+            t,
+            error,
+            point: self.rectangle.point(uv),
+            normal: self.rectangle.flat.normal,
+            uv,
+            texel: Rgb::WHITE,
+        }
+    }
+
     /// Adds the rectangle's attributes to a node.
     pub(super) fn describe_into(&self, node: Node) -> Node {
         node.with("point", self.rectangle.flat.point)
@@ -97,14 +110,16 @@ impl FinitePlane {
 
 impl Surface for FinitePlane {
     fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        self.rectangle.hits(ray, span, |t, error, uv| Hit {
-            t,
-            error,
-            point: self.rectangle.point(uv),
-            normal: self.rectangle.flat.normal,
-            uv,
-            texel: Rgb::WHITE,
-        })
+        let hit = |t, error, uv| self.hit(t, error, uv);
+        self.rectangle.hits(ray, span, hit)
+    }
+
+    fn meetings(&self, rays: &[Ray], met: &mut [Option<Hit>]) {
+        for (ray, met) in rays.iter().zip(met) {
+            // A hit is large, so it is made in its place.
+            let hit = |t, error, uv| *met = Some(self.hit(t, error, uv));
+            self.rectangle.hits(ray, Span::AHEAD, hit);
+        }
     }
 
     fn common(&self) -> &Common {

@@ -163,6 +163,26 @@ pub trait Surface: Send + Sync + fmt::Debug {
     /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
     fn settle(&self, _hit: &mut Hit, _ray: &Ray) {}
 
+    /// Where rays first meet the surface, which all start in free space and can meet no other: a
+    /// settled hit anywhere ahead for each ray that does, in place of `None`.
+    ///
+    /// The same as asking for each; but many that do not wait for each other are found faster.
+    fn meetings(&self, rays: &[Ray], met: &mut [Option<Hit>]) {
+        for (ray, met) in rays.iter().zip(&mut *met) {
+            *met = self.hits(ray, Span::AHEAD);
+        }
+        self.settle_all(rays, met);
+    }
+
+    /// Settles the hits of these rays.
+    fn settle_all(&self, rays: &[Ray], met: &mut [Option<Hit>]) {
+        for (ray, met) in rays.iter().zip(met) {
+            if let Some(hit) = met {
+                self.settle(hit, ray);
+            }
+        }
+    }
+
     /// The colour of the surface's texture in what a beam covers of it around a settled hit.
     fn texel_over(&self, hit: &Hit, _beam: &Beam, _filter: Filter) -> Rgb {
         hit.texel

@@ -117,6 +117,11 @@ impl Surface for TexturePlane {
         self.plane.hits(ray, span)
     }
 
+    fn meetings(&self, rays: &[Ray], met: &mut [Option<Hit>]) {
+        self.plane.meetings(rays, met);
+        self.settle_all(rays, met);
+    }
+
     fn common(&self) -> &Common {
         self.plane.common()
     }

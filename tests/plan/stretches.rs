@@ -1,0 +1,85 @@
+//! What is known of many neighbouring rays at once changes neither the picture nor what is counted.
+
+use heliodon::film::Film;
+use heliodon::plan::Scope;
+use heliodon::read::{Options, read_bytes};
+use heliodon::render::{Certificate, Counts, Probe, observed};
+use heliodon::scene::Scene;
+
+const WIDTH: u64 = 75;
+const HEIGHT: u64 = 40;
+
+fn scene(nodes: &str) -> Scene {
+    let text = format!(
+        "image {WIDTH} {HEIGHT}\nmaterial \"chalk\" {{ ambient 2 3 4 }}\n\
+         texture \"bricks\" \"textures/brick-128.png\"\n{nodes}"
+    );
+    let reading = read_bytes(
+        "stretches",
+        text.into_bytes(),
+        "".into(),
+        &Options::default(),
+    );
+    reading
+        .unwrap_or_else(|no| panic!("{:#?}", no.problems))
+        .scene
+}
+
+fn drawn<P: Probe + Default + Send + std::iter::Sum>(
+    scene: &Scene,
+    scope: Scope,
+) -> (Vec<[u64; 3]>, P) {
+    let (film, seen): (Film, P) = observed(scene, scope, &|_| ()).expect("a camera");
+    let bits = film
+        .pixels()
+        .iter()
+        .map(|color| color.channels().map(f64::to_bits));
+    (bits.collect(), seen)
+}
+
+const CAMERAS: [&str; 4] = [
+    "camera { viewpoint 4 3 8; screen 8 6 }",
+    // The plane of the screen cuts what is seen.
+    "camera { viewpoint 4 3 8; screen 8 6; screen-at 0 0 -5 }",
+    "camera { viewpoint 1 2 9; look-at 0 0 0; up 0.3 1 0 }",
+    "camera { viewpoint 0 5 0; look-at 0 0 0; up 0 0 1 }",
+];
+
+const SURFACES: [&str; 6] = [
+    r#"plane { material "chalk"; point 0 -1 0; normal 0 1 0 }"#,
+    // Its horizon crosses the picture askew.
+    r#"plane { material "chalk"; point 0 -1 0; normal -0.2 1 0.1 }"#,
+    // Along the screen, and across the view.
+    r#"plane { material "chalk"; point 0 0 -5; normal 0 0 1 }"#,
+    r#"finite-plane { material "chalk"; point 1 -1 0; normal 0 1 0.2; xdir 1 0 0; dimensions 5 7 }"#,
+    r#"texture-plane { material "chalk"; point -3 -1 0; normal 0 1 0.2; xdir 1 0 0; dimensions 9 7
+        texture "bricks" mode="repeat" texel=0.01 }"#,
+    r#"sphere { material "chalk"; center 2 2 -5; radius 3 }"#,
+];
+
+const LIGHTINGS: [&str; 4] = [
+    "",
+    "lighting { view-falloff \"none\" }",
+    "lighting { view-falloff \"inverse-square\" }",
+    "light { location 3 9 3; emissivity 9 }",
+];
+
+#[test]
+fn one_surface_is_drawn_as_if_each_ray_were_asked() {
+    for camera in CAMERAS {
+        for surface in SURFACES {
+            for lighting in LIGHTINGS {
+                let nodes = format!("{camera}\n{lighting}\n{surface}");
+                let scene = scene(&nodes);
+                let (film, counts) = drawn::<Counts>(&scene, Scope::CalledFor);
+                let (each, _) = drawn::<Counts>(&scene, Scope::Everything);
+                assert!(film == each, "{nodes}");
+                let (certified, certificate) = drawn::<Certificate>(&scene, Scope::CalledFor);
+                assert!(film == certified, "{nodes}");
+                assert_eq!(counts, certificate.counts, "{nodes}");
+                assert_eq!(counts.camera_rays, WIDTH * HEIGHT, "{nodes}");
+                assert!(counts.hit_tests <= WIDTH * HEIGHT, "{nodes}");
+            }
+        }
+    }
+}
