@@ -1,6 +1,7 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod accelerator;
+mod clearance;
 mod lamps;
 mod overlaps;
 mod reach;

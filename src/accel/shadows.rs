@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::clearance::Clearance;
 use super::receivers::Body;
 use super::shade::Shade;
 use super::tree::Tree;
@@ -31,6 +32,7 @@ struct CasterTree {
     tree: Arc<Tree>,
     /// For every surface its place in the list of casters.
     casters: Vec<Option<u32>>,
+    clearance: Clearance,
 }
 
 /// What a light has before one of the surfaces that it can light.
@@ -131,9 +133,12 @@ impl<'a> LightView<'a> {
                 for (place, caster) in (0..).zip(&casters) {
                     places[caster.entry.index] = Some(place);
                 }
+                let bounded = casters.iter().map(|caster| &caster.entry);
+                let bounded = bounded.filter(|entry| entry.surface.bounds().is_some());
                 CasterTree {
                     tree: tree.clone(),
                     casters: places,
+                    clearance: Clearance::new(light, bounded),
                 }
             });
             view.casters.push(casters);
@@ -216,6 +221,7 @@ impl Before<'_, '_> {
         let Some(CasterTree {
             tree,
             casters: places,
+            clearance,
         }) = self.tree
         else {
             return passed(casters.iter().filter(|caster| hides(caster)), segment);
@@ -225,8 +231,7 @@ impl Before<'_, '_> {
         }
         let mut in_the_way = Vec::new();
         let mut blocked = false;
-        // There is no end: a light that is a rounding off a plane may have the crossing anywhere.
-        tree.walk(&segment.ray, f64::MAX, |index, until| {
+        tree.walk(&segment.ray, clearance.until(segment), |index, until| {
             let Some(place) = places[index] else {
                 return ControlFlow::Continue(until);
             };
