@@ -2,6 +2,8 @@
 
 #[path = "plan/counts.rs"]
 mod counts;
+#[path = "plan/seen.rs"]
+mod seen;
 #[path = "plan/tail.rs"]
 mod tail;
 #[path = "plan/zeros.rs"]
