@@ -107,10 +107,8 @@ impl<'a> Plan<'a> {
             })
             .collect();
         let places = scene.lights.iter().map(|light| light.location);
-        let mut light_views = LightView::all(&surfaces, places, elides);
-        for (view, unlit) in light_views.iter_mut().zip(&unlit) {
-            view.retain(|surface| unlit[surface].is_none());
-        }
+        let lights = |light: usize, surface: usize| unlit[light][surface].is_none();
+        let light_views = LightView::all(&surfaces, places, elides, lights);
         let mut lamp_views = LampView::all(&surfaces, &scene.surfaces, !elides);
         let unlit_by_lamp: Vec<Vec<_>> = lamp_views
             .iter()
