@@ -1,6 +1,6 @@
 //! As many rays through each pixel as its error asks for.
 
-use super::{Probe, Seed, Tracer, watch::Watch};
+use super::{Both, Probe, Seed, Tracer, watch::Watch};
 use crate::camera::{Pattern, Places};
 use crate::film::{Region, Transfer};
 use crate::math::Rgb;
@@ -155,10 +155,11 @@ impl<'a> Adaptive<'a> {
         let (x, y) = (column as f64, row as f64);
         for number in tally.count..count {
             let [dx, dy] = places.at(number);
-            let mut watch = Watch::new(probe, camera);
+            let onlooker: &mut dyn Probe = probe;
+            let mut both = Both(onlooker, Watch::new(camera));
             let seed = Seed::shared(places.seed, number);
-            let color = self.tracer.sees_as(x + dx, y + dy, seed, &mut watch);
-            tally.farthest = tally.farthest.max(watch.depth);
+            let color = self.tracer.sees_as(x + dx, y + dy, seed, &mut both);
+            tally.farthest = tally.farthest.max(both.1.depth);
             tally.range = tally.range.and(Colors {
                 low: color,
                 high: color,

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod beams;
+mod both;
 mod certificate;
 mod errors;
 mod lamps;
@@ -14,6 +15,7 @@ mod thread_work;
 mod tracer;
 mod watch;
 
+pub use both::Both;
 pub use certificate::Certificate;
 pub use errors::{Errors, Turn};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
@@ -56,7 +58,7 @@ pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film,
 pub fn certify(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, Certificate), Refusal> {
+) -> Result<(Film, Both<Counts, Certificate>), Refusal> {
     observed(scene, Scope::CalledFor, progress)
 }
 
