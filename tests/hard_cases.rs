@@ -15,6 +15,8 @@ mod aimed;
 mod cases;
 #[path = "hard_cases/codes.rs"]
 mod codes;
+#[path = "hard_cases/floor.rs"]
+mod floor;
 #[path = "hard_cases/loading.rs"]
 mod loading;
 #[path = "hard_cases/numbers.rs"]
