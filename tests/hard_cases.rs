@@ -147,14 +147,3 @@ fn every_case_of_the_catalogue_is_there_and_well_formed() {
         }
     }
 }
-
-#[test]
-fn the_files_of_the_suite_are_short() {
-    let entries = fs::read_dir(cases::folder()).expect("the folder");
-    for path in entries.map(|entry| entry.expect("an entry").path()) {
-        if path.extension().is_some_and(|ending| ending == "rs") {
-            let lines = fs::read_to_string(&path).expect("a file").lines().count();
-            assert!(lines < 400, "{} has {lines} lines", path.display());
-        }
-    }
-}

@@ -1,8 +1,8 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
 use heliodon::accel::{Accelerator, Entry, SurfaceList};
-use heliodon::film::{Film, Region};
 pub(crate) use heliodon::film::{Encoding, Rounding, Transfer};
+use heliodon::film::{Film, Region};
 use heliodon::language::{Node, render_problems};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
