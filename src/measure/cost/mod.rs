@@ -16,7 +16,7 @@ mod reference;
 mod spots;
 mod table;
 
-pub use blame::Blame;
+pub use blame::{Blame, SpotShare, SurfaceShare};
 pub use choice::{Best, Limit, Metric};
 pub use dial::{DIALS, Dial};
 pub use ladder::{Ladder, Rung, Variation};
