@@ -225,7 +225,7 @@ pub fn pixel_color(
     probe: &mut impl Probe,
 ) -> Rgb {
     if let Some(adaptive) = Adaptive::new(tracer, tracer.plan) {
-        return adaptive.color(column, row, probe);
+        return adaptive.color([column, row], probe);
     }
     // The picture's rows are counted from the top, the camera's from the bottom.
     let from_bottom = scene.picture.height as usize - 1 - row;
