@@ -9,7 +9,7 @@ use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, observed_part, printed_part};
 use heliodon::scene::{Picture, Scene, Setting};
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Something of everything: an image to the horizon, mirrors, a bent view, soft and coloured shadows.
 const SCENE: &str = r#"
@@ -95,9 +95,8 @@ const NUMBERS: [(&str, &[&str]); 3] = [
 ];
 
 /// The bits of a part's pixels, and the bytes that a file of it holds.
-fn drawn(scene: &Scene, part: Region, threads: usize) -> (Vec<[u64; 3]>, Vec<u8>) {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.expect("threads").install(|| {
+fn drawn(scene: &Scene, part: Region, threads: &ThreadPool) -> (Vec<[u64; 3]>, Vec<u8>) {
+    threads.install(|| {
         let film = observed_part::<Counts>(scene, Scope::CalledFor, part, &|_| ());
         let (film, _) = film.expect("a possible camera");
         let format = Format::Ppm;
@@ -113,11 +112,15 @@ fn drawn(scene: &Scene, part: Region, threads: usize) -> (Vec<[u64; 3]>, Vec<u8>
 fn every_dial_gives_the_same_bytes_in_tiles_of_any_size_on_any_number_of_threads() {
     let dials = turned();
     assert!(dials.len() > 25, "only {} settings", dials.len());
+    let pools = [1, 2, 3].map(|threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads")
+    });
     for settings in dials {
         let scene = scene(&settings);
         let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
         let whole = Region::whole([scene.picture.width, scene.picture.height]);
-        let (bits, bytes) = drawn(&scene, whole, 1);
+        let (bits, bytes) = drawn(&scene, whole, &pools[0]);
         assert!(bits.iter().any(|pixel| *pixel != bits[0]), "{settings:?}");
         // Square tiles, rows, columns, more than a picture, and again the whole.
         for (columns, rows, threads) in
@@ -133,7 +136,7 @@ fn every_dial_gives_the_same_bytes_in_tiles_of_any_size_on_any_number_of_threads
                     width: columns.min(width - left),
                     height: rows.min(height - top),
                 };
-                let (found, printed) = drawn(&scene, tile, threads);
+                let (found, printed) = drawn(&scene, tile, &pools[threads - 1]);
                 for (number, [column, row]) in tile.places().enumerate() {
                     let place = row * width + column;
                     let same = found[number] == bits[place]
