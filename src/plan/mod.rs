@@ -10,7 +10,7 @@ mod tail;
 mod unlit;
 
 pub use effect::{Cause, Decision, Effect};
-pub use outlines::Outlines;
+pub use outlines::{OutlineDepths, Outlines};
 pub use scope::Scope;
 pub use seen::Seen;
 pub use tail::Tail;

@@ -209,7 +209,7 @@ impl<'a> Painter<'a> {
             None if scene.picture.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
                 for ([column, row], pixel) in rows.places().zip(pixels) {
-                    *pixel = pixel_color(tracer, scene, column, row, &mut probe);
+                    *pixel = uniform(tracer, scene, column, row, &mut probe);
                 }
             }
         }
@@ -230,8 +230,19 @@ pub fn pixel_color(
     probe: &mut impl Probe,
 ) -> Rgb {
     if let Some(adaptive) = Adaptive::new(tracer, tracer.plan) {
-        return adaptive.color(column, row, probe);
+        return adaptive.color([column, row], probe);
     }
+    uniform(tracer, scene, column, row, probe)
+}
+
+/// The colour of a pixel of a picture that asks for the same number of rays everywhere.
+fn uniform(
+    tracer: Tracer<'_>,
+    scene: &Scene,
+    column: usize,
+    row: usize,
+    probe: &mut impl Probe,
+) -> Rgb {
     // The picture's rows are counted from the top, the camera's from the bottom.
     let from_bottom = scene.picture.height as usize - 1 - row;
     #[expect(
