@@ -75,7 +75,8 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             corners[random.below(count) as usize]
         };
         let light = any(&mut random) + random.cube();
-        let views = [&list, &tree].map(|found| LightView::all(found, [light].into_iter(), false));
+        let views = [&list, &tree]
+            .map(|found| LightView::all(found, [light].into_iter(), false, |_, _| true));
         (0..2000).any(|_| {
             let from = any(&mut random);
             let from = if random.once_in(2) {
@@ -110,7 +111,8 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             let passed = Segment::new(&departure, light).map(|segment| {
                 [0, 1].map(|which| {
                     let before = views[which][0].before(entry);
-                    before.map(|before| before.transmittance(&hit, &segment, &mut 0))
+                    let blockers = before?.blockers(&hit, &segment.ray);
+                    blockers.map(|blockers| blockers.transmittance(&segment, &mut 0))
                 })
             });
             met[0] != met[1] || then[0] != then[1] || passed.is_some_and(|both| both[0] != both[1])

@@ -102,11 +102,11 @@ fn more_samples_are_closer_to_the_reference() {
         doubt.rmse > 0.0 && doubt.rmse < errors[3] / 2.0,
         "{doubt:?}"
     );
-    let sums: f64 = cost.blames[0].spots.iter().map(|(_, error, _)| error).sum();
+    let sums: f64 = cost.blames[0].spots.iter().map(|share| share.error).sum();
     assert!((sums - 1.0).abs() < 1e-9);
-    let (spot, share, pixels) = cost.blames[0].spots[0];
-    assert_eq!(spot.words(), "at edges of surfaces");
-    assert!(share > 0.5 && pixels < 0.2, "{share} in {pixels}");
+    let most = cost.blames[0].spots[0];
+    assert_eq!(most.spot.words(), "at edges of surfaces");
+    assert!(most.error > 0.5 && most.pixels < 0.2, "{most:?}");
 }
 
 #[test]
@@ -247,6 +247,15 @@ fn json_csv_plot_and_page_have_every_rung() {
     for field in ["laws", "blames", "recommended"] {
         assert!(!answer[field].is_null(), "{field}");
     }
+
+    let schema = std::fs::read_to_string("docs/cost.schema.json").expect("the schema");
+    let schema = serde_json::from_str(&schema).expect("JSON");
+    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    let errors: Vec<_> = validator.iter_errors(&answer).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let mut wrong = answer.clone();
+    wrong["rungs"][0]["rays"] = serde_json::Value::Null;
+    assert!(!validator.is_valid(&wrong));
 
     let csv = read("it.csv");
     assert!(

@@ -15,6 +15,8 @@ mod aimed;
 mod cases;
 #[path = "hard_cases/codes.rs"]
 mod codes;
+#[path = "hard_cases/floor.rs"]
+mod floor;
 #[path = "hard_cases/loading.rs"]
 mod loading;
 #[path = "hard_cases/numbers.rs"]
@@ -142,17 +144,6 @@ fn every_case_of_the_catalogue_is_there_and_well_formed() {
                     child.word
                 );
             }
-        }
-    }
-}
-
-#[test]
-fn the_files_of_the_suite_are_short() {
-    let entries = fs::read_dir(cases::folder()).expect("the folder");
-    for path in entries.map(|entry| entry.expect("an entry").path()) {
-        if path.extension().is_some_and(|ending| ending == "rs") {
-            let lines = fs::read_to_string(&path).expect("a file").lines().count();
-            assert!(lines < 400, "{} has {lines} lines", path.display());
         }
     }
 }

@@ -55,8 +55,9 @@ fn every_room_has_a_floor() {
 
 #[test]
 fn files_are_short() {
-    let lengths: Vec<_> = sources()
+    let lengths: Vec<_> = ["src", "tests", "examples", "benches"]
         .into_iter()
+        .flat_map(sources_in)
         .map(|(path, text)| (text.lines().count(), path))
         .collect();
     let long: Vec<_> = lengths
@@ -78,7 +79,11 @@ fn files_are_short() {
 }
 
 fn sources() -> Vec<(PathBuf, String)> {
-    let mut folders = vec![PathBuf::from("src")];
+    sources_in("src")
+}
+
+fn sources_in(folder: &str) -> Vec<(PathBuf, String)> {
+    let mut folders = vec![PathBuf::from(folder)];
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).expect("a folder of the project") {
@@ -91,7 +96,7 @@ fn sources() -> Vec<(PathBuf, String)> {
             }
         }
     }
-    assert!(files.len() > 20, "the sources were not found");
+    assert!(files.len() > 3, "the sources were not found");
     files
 }
 

@@ -2,6 +2,8 @@
 
 #[path = "plan/counts.rs"]
 mod counts;
+#[path = "plan/seen.rs"]
+mod seen;
 #[path = "plan/stretches.rs"]
 mod stretches;
 #[path = "plan/tail.rs"]

@@ -6,6 +6,8 @@ mod adaptive;
 mod crop;
 #[path = "sampling/patterns.rs"]
 mod patterns;
+#[path = "sampling/tiles.rs"]
+mod tiles;
 
 use std::path::Path;
 

@@ -6,15 +6,16 @@
 //!
 //! For each scene it prints how many rays from the eye go through a pixel, the share of pixels whose error
 //! against 4096 stratified rays is within the limit, and the processor's time; then the same for
-//! uniform counts of rays in the pattern `sobol`, up to the cheapest that meets the limit in as many
-//! pixels as is asked for.
+//! uniform counts of rays in the pattern `sobol`: powers of two up to the first that meets the limit in
+//! as many pixels as is asked for, and then eighths of that, of which the last one printed is the
+//! cheapest that is enough.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 use cpu_time::ProcessTime;
-use heliodon::film::Film;
+use heliodon::film::{Film, Format, Notes, Rounding, Transfer, save};
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_file};
 use heliodon::render::{Counts, STACK, observed};
@@ -38,6 +39,12 @@ struct Arguments {
     /// The rays through each pixel of the reference.
     #[arg(long, default_value = "4096")]
     reference: String,
+    /// The most rays through each pixel that are tried uniformly.
+    #[arg(long, default_value_t = 2048)]
+    most: u32,
+    /// A folder in which references are kept for the next time, by scene, size and rays.
+    #[arg(long)]
+    keep: Option<PathBuf>,
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
@@ -69,14 +76,14 @@ fn main() -> ExitCode {
 /// Whether a scene meets the limit in as many pixels as it should.
 fn compare(path: &Path, arguments: &Arguments) -> bool {
     let drawn = |settings: &[(&str, &str)]| draw(&read(path, arguments.size, settings));
-    let reference = [("samples", &*arguments.reference), ("max-error", "0")];
-    let (reference, ..) = drawn(&reference);
+    let reference = reference(path, arguments);
+    let transfer = read(path, arguments.size, &[]).picture.transfer;
     let limit = Setting::new("max-error", &arguments.max_error).expect("a limit");
     let limit = limit.value().number();
     println!("{}", path.display());
     let row = |name: &str, settings: &[(&str, &str)]| {
         let (film, counts, seconds) = drawn(settings);
-        let share = share_within(&film, &reference, limit);
+        let share = share_within(&film, &reference, transfer, limit);
         let pixels = (film.width() * film.height()) as f64;
         let rays = counts.camera_rays as f64 / pixels;
         println!(
@@ -87,18 +94,44 @@ fn compare(path: &Path, arguments: &Arguments) -> bool {
     };
     let samples = ("samples", "1");
     let adaptive = row("max-error", &[("max-error", &arguments.max_error), samples]);
-    for power in 2..12 {
-        let count = (1 << power).to_string();
+    let uniform = |count: u32| {
+        let count = count.to_string();
         let uniform = [
             ("samples", &*count),
             ("pattern", "sobol"),
             ("max-error", "0"),
         ];
-        if row("uniform", &uniform) >= arguments.share {
-            break;
-        }
+        row("uniform", &uniform) >= arguments.share
+    };
+    // The first power of two that is enough, and then what is less by eighths.
+    let mut powers = (2..=arguments.most.ilog2()).map(|power| 1 << power);
+    if let Some(enough) = powers.find(|count| uniform(*count)) {
+        let mut less = (5..8).map(|eighths| enough / 8 * eighths);
+        less.find(|count| *count > 0 && uniform(*count));
     }
     adaptive >= arguments.share
+}
+
+/// The picture that others are compared with: as it was kept, or drawn anew.
+fn reference(path: &Path, arguments: &Arguments) -> Film {
+    let count = &*arguments.reference;
+    let kept = arguments.keep.as_ref().map(|folder| {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let [width, height] = arguments.size;
+        folder.join(format!("{name}-{width}x{height}-{count}.pfm"))
+    });
+    if let Some(kept) = kept.as_ref().filter(|file| file.exists()) {
+        return Film::read(kept, Transfer::None).expect("a picture");
+    }
+    let settings = [("samples", count), ("max-error", "0")];
+    let (film, ..) = draw(&read(path, arguments.size, &settings));
+    if let Some(kept) = kept {
+        save(&kept, |out| {
+            film.write(out, Format::Pfm, Rounding::default(), &Notes::default())
+        })
+        .expect("a place for the reference");
+    }
+    film
 }
 
 fn read(path: &Path, size: [u32; 2], settings: &[(&str, &str)]) -> Scene {
@@ -120,12 +153,13 @@ fn draw(scene: &Scene) -> (Film, Counts, f64) {
 }
 
 /// The share of pixels of which no channel is further off than this, as a picture shows it.
-fn share_within(film: &Film, reference: &Film, limit: f64) -> f64 {
+fn share_within(film: &Film, reference: &Film, transfer: Transfer, limit: f64) -> f64 {
+    let shown = |channel: f64| transfer.value(channel.clamp(0.0, 1.0));
     let pairs = film.pixels().iter().zip(reference.pixels());
     let met = pairs.filter(|(pixel, truth)| {
         let channels = pixel.channels().into_iter().zip(truth.channels());
         channels
-            .map(|(a, b)| (a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0)).abs())
+            .map(|(a, b)| (shown(a) - shown(b)).abs())
             .all(|error| error <= limit)
     });
     met.count() as f64 / film.pixels().len() as f64

@@ -13,6 +13,7 @@ mod canvas;
 mod cloud;
 mod colour;
 mod complexion;
+mod dusk;
 mod face;
 mod farm;
 mod hair;
@@ -26,6 +27,7 @@ mod slide;
 mod solid;
 mod stained_glass;
 mod stroke;
+mod tile;
 mod vector;
 mod wing;
 mod winglet;
@@ -38,15 +40,18 @@ use std::path::PathBuf;
 type Entry = (&'static str, fn() -> Canvas);
 
 /// All the pictures, the quick ones first.
-const PICTURES: [Entry; 10] = [
+const PICTURES: [Entry; 13] = [
     ("arrow-8x8.png", arrow::draw),
     ("oak-128.png", oak::draw),
+    ("tile-128.png", tile::draw),
     ("brick-128.png", brick::draw_small),
     ("brick-384.png", brick::draw_large),
     ("hull-512.png", hull::draw),
     ("stained-glass.png", stained_glass::draw),
     ("slide.png", slide::draw),
     ("planet-512.png", planet::draw),
+    ("dusk-1024.png", dusk::draw),
+    ("dusk-sun-1024.png", dusk::draw_with_sun),
     ("wing-1024.png", wing::draw),
     ("portrait.png", portrait::draw),
 ];

@@ -205,7 +205,7 @@ impl<'a> LampView<'a> {
 
 impl Casters<'_, '_> {
     /// The share of light that passes along a segment to one place of the lamp; as
-    /// [`Before::transmittance`](super::Before::transmittance).
+    /// [`Blockers::transmittance`](super::Blockers::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;

@@ -1,6 +1,7 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod accelerator;
+mod clearance;
 mod lamps;
 mod overlaps;
 mod reach;
@@ -17,7 +18,7 @@ mod tree;
 pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
-pub use shadows::{Before, LightView};
+pub use shadows::{Before, Blockers, LightView};
 pub use sight::{Ahead, Sight};
 pub use supports::supports;
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::clearance::Clearance;
 use super::receivers::Body;
 use super::shade::Shade;
 use super::tree::Tree;
@@ -18,8 +19,7 @@ use crate::surface::Hit;
 pub struct LightView<'a> {
     /// What can cast a shadow, in lists of which each serves one surface or more.
     casters: Vec<Vec<Caster<'a>>>,
-    /// For every surface which of the lists counts for it; `None` if the light is behind its plane
-    /// or in it.
+    /// For every surface which of the lists counts for it; `None` if the light is not to light it.
     list_of: Vec<Option<usize>>,
     /// What finds the casters if all surfaces share one list.
     tree: Option<CasterTree>,
@@ -31,6 +31,7 @@ struct CasterTree {
     tree: Arc<Tree>,
     /// For every surface its place in the list of casters.
     casters: Vec<Option<u32>>,
+    clearance: Clearance,
 }
 
 /// What a light has before one of the surfaces that it can light.
@@ -38,6 +39,15 @@ struct CasterTree {
 pub struct Before<'v, 'a> {
     casters: &'v [Caster<'a>],
     tree: Option<&'v CasterTree>,
+}
+
+/// What can stand between a light and a hit of a surface.
+#[derive(Debug, Clone, Copy)]
+pub struct Blockers<'v, 'a> {
+    before: Before<'v, 'a>,
+    hit: &'v Hit,
+    /// The first one of the casters that can.
+    first: usize,
 }
 
 /// A surface that can cast a shadow.
@@ -70,23 +80,33 @@ impl Caster<'_> {
 const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
-    /// What lights at these places have before them. Without `elides` every surface is asked for
-    /// every shadow, even if it is proven to cast none.
+    /// What lights at these places have before them; `lights` tells whether a light, by its number, is
+    /// to light a surface, by its place in the list. Without `elides` every surface is asked for every
+    /// shadow, even if it is proven to cast none.
     #[must_use]
     pub fn all(
         surfaces: &SurfaceList<'a>,
-        lights: impl Iterator<Item = DVec3>,
+        places: impl Iterator<Item = DVec3>,
         elides: bool,
+        lights: impl Fn(usize, usize) -> bool,
     ) -> Vec<Self> {
         let each = elides && surfaces.entries().len() <= MOST_LISTS;
         let bodies = surfaces.entries().iter().filter(|_| each).map(Body::of);
         let bodies: Vec<_> = bodies.collect();
-        let view = |light| Self::new(surfaces, each.then_some(&bodies), light);
-        lights.map(view).collect()
+        let view = |(number, place)| {
+            let lights = |surface| lights(number, surface);
+            Self::new(surfaces, each.then_some(&bodies), place, &lights)
+        };
+        places.enumerate().map(view).collect()
     }
 
     /// What a light at this place has before it.
-    fn new(surfaces: &SurfaceList<'a>, bodies: Option<&Vec<Body>>, light: DVec3) -> Self {
+    fn new(
+        surfaces: &SurfaceList<'a>,
+        bodies: Option<&Vec<Body>>,
+        light: DVec3,
+        lights: &dyn Fn(usize) -> bool,
+    ) -> Self {
         let location = Point::exact(light);
         let mut clear_sheets = HashSet::new();
         let casters: Vec<_> = surfaces
@@ -112,10 +132,7 @@ impl<'a> LightView<'a> {
         let lit: Vec<_> = surfaces
             .entries()
             .iter()
-            .filter(|entry| {
-                let surface = entry.surface;
-                surface.flat().is_none() || surface.side(&location) == Side::Front
-            })
+            .filter(|entry| lights(entry.index))
             .collect();
         let mut view = Self {
             casters: Vec::new(),
@@ -131,9 +148,12 @@ impl<'a> LightView<'a> {
                 for (place, caster) in (0..).zip(&casters) {
                     places[caster.entry.index] = Some(place);
                 }
+                let bounded = casters.iter().map(|caster| &caster.entry);
+                let bounded = bounded.filter(|entry| entry.surface.bounds().is_some());
                 CasterTree {
                     tree: tree.clone(),
                     casters: places,
+                    clearance: Clearance::new(light, bounded),
                 }
             });
             view.casters.push(casters);
@@ -155,13 +175,6 @@ impl<'a> LightView<'a> {
         view
     }
 
-    /// Forgets the surfaces, by their places in the list, that the light is not to light.
-    pub fn retain(&mut self, lights: impl Fn(usize) -> bool) {
-        for (surface, list) in self.list_of.iter_mut().enumerate() {
-            *list = list.filter(|_| lights(surface));
-        }
-    }
-
     /// The surfaces, by their places in the list, that can stand between the light and this one.
     #[must_use]
     pub fn casters_of(&self, surface: usize) -> Vec<usize> {
@@ -169,14 +182,13 @@ impl<'a> LightView<'a> {
         list.iter().map(|caster| caster.entry.index).collect()
     }
 
-    /// Whether light from here can reach the front of a surface at all.
+    /// Whether light from here is to light a surface at all.
     #[must_use]
     pub fn lights(&self, entry: &Entry<'_>) -> bool {
         self.list_of[entry.index].is_some()
     }
 
-    /// What can stand between the light and a surface; `None` if no light from here can reach the front
-    /// of the surface at all.
+    /// What can stand between the light and a surface; `None` if it is not to light the surface at all.
     #[must_use]
     #[inline(always)]
     pub fn before(&self, entry: &Entry<'_>) -> Option<Before<'_, 'a>> {
@@ -187,51 +199,59 @@ impl<'a> LightView<'a> {
     }
 }
 
-impl Before<'_, '_> {
-    /// Whether anything can stand between the light and a hit of the surface from which a ray goes to
-    /// the light.
+impl<'v, 'a> Before<'v, 'a> {
+    /// What can stand between the light and a hit of the surface from which a ray goes to the light;
+    /// `None` if nothing can.
     #[must_use]
     #[inline(always)]
-    pub fn can_hide(&self, hit: &Hit, ray: &Ray) -> bool {
+    pub fn blockers(&self, hit: &'v Hit, ray: &Ray) -> Option<Blockers<'v, 'a>> {
         let mut casters = self.casters.iter();
-        // The tree asks for less than going through all of them.
-        self.tree.is_some() && !casters.as_slice().is_empty()
-            || casters.any(|caster| caster.can_meet(ray, hit))
+        let first = match self.tree {
+            // It asks for less than going through all of them.
+            Some(_) => (!self.casters.is_empty()).then_some(0),
+            None => casters.position(|caster| caster.can_meet(ray, hit)),
+        };
+        Some(Blockers {
+            before: *self,
+            hit,
+            first: first?,
+        })
     }
+}
 
-    /// The share of the light's colour that passes along a segment from a hit of the surface to it.
+impl Blockers<'_, '_> {
+    /// The share of the light's colour that passes along a segment to it.
     ///
     /// Opaque surfaces block it, transparent ones tint it, each once. Of surfaces on the same sheet
     /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
-    pub fn transmittance(&self, hit: &Hit, segment: &Segment, tests: &mut u64) -> Rgb {
-        let casters = self.casters;
+    pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
+        let Before { casters, tree } = self.before;
         let mut hides = |caster: &Caster<'_>| {
-            if !caster.can_meet(&segment.ray, hit) {
-                return false;
-            }
             *tests += 1;
             caster.entry.surface.occludes(segment, caster.side)
         };
+        let can_meet = |caster: &Caster<'_>| caster.can_meet(&segment.ray, self.hit);
         let Some(CasterTree {
             tree,
             casters: places,
-        }) = self.tree
+            clearance,
+        }) = tree
         else {
-            return passed(casters.iter().filter(|caster| hides(caster)), segment);
+            // The first one is known to be able to.
+            let (first, others) = casters[self.first..].split_at(1);
+            let others = others.iter().filter(|caster| can_meet(caster));
+            let all = first.iter().chain(others);
+            return passed(all.filter(|caster| hides(caster)), segment);
         };
-        if casters.is_empty() {
-            return Rgb::WHITE;
-        }
         let mut in_the_way = Vec::new();
         let mut blocked = false;
-        // There is no end: a light that is a rounding off a plane may have the crossing anywhere.
-        tree.walk(&segment.ray, f64::MAX, |index, until| {
+        tree.walk(&segment.ray, clearance.until(segment), |index, until| {
             let Some(place) = places[index] else {
                 return ControlFlow::Continue(until);
             };
             let caster = &casters[place as usize];
-            if !hides(caster) {
+            if !(can_meet(caster) && hides(caster)) {
                 return ControlFlow::Continue(until);
             }
             in_the_way.push(place);

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::film::Film;
 use crate::math::Numerics;
-use crate::render::Certificate;
+use crate::render::{Both, Certificate, Counts};
 use crate::scene::Scene;
 use crate::surface::Welded;
 
@@ -39,9 +39,12 @@ pub(super) struct Report {
     robust: bool,
 }
 
-pub(super) fn report(certificate: &Certificate, scene: &Scene, film: &Film) -> Report {
+pub(super) fn report(
+    Both(counts, certificate): &Both<Counts, Certificate>,
+    scene: &Scene,
+    film: &Film,
+) -> Report {
     let Certificate {
-        ref counts,
         largest_error,
         largest_bounced_error,
         largest_residual,

@@ -5,13 +5,16 @@ use std::fmt::Write;
 use super::stats;
 use crate::accel::Accelerator;
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
-use crate::plan::{Effect, Unlit};
+use crate::plan::{Effect, Seen, Unlit};
 
 /// The widest line that a list of things may fill, in columns.
 const WIDTH: usize = 100;
 
 /// The most surfaces that a line names.
 const MOST_NAMES: usize = 12;
+
+/// The effects that send rays on.
+const SEND_ON: [Effect; 2] = [Effect::Mirrors, Effect::Transparency];
 
 /// An explanation for people.
 pub(super) fn text(explanation: &Explanation, title: &str) -> String {
@@ -118,26 +121,43 @@ fn light(
 }
 
 fn surfaces(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
-    let (seen, unseen): (Vec<_>, Vec<_>) = explanation.surfaces.iter().partition(|row| row.seen);
     let all = explanation.surfaces.len();
+    let those = |seen: Seen| {
+        let rows = explanation.surfaces.iter();
+        let rows = rows.filter(move |row| row.seen == seen);
+        rows.map(|row| row.surface.title.clone())
+            .collect::<Vec<_>>()
+    };
+    let (sent_on, unseen) = (those(Seen::SentOn), those(Seen::Never));
     writeln!(out, "\nsurfaces")?;
-    writeln!(out, "  {} of {all} can be met by a ray", seen.len())?;
+    writeln!(out, "  {} of {all} can be met by a ray", all - unseen.len())?;
+    list(
+        out,
+        "out of sight, but in mirrors or behind glass: ",
+        sent_on,
+        2,
+    )?;
     writeln!(
         out,
         "  they are found by a {}; a tree pays from {} surfaces on",
         explanation.accelerator,
         Accelerator::FEWEST,
     )?;
-    let unseen = unseen.iter().map(|row| row.surface.title.clone());
-    list(out, "nobody sees ", unseen.collect(), 2)
+    let nothing_sends = explanation
+        .effects
+        .iter()
+        .all(|row| !row.on || !SEND_ON.contains(&row.effect));
+    let why = if nothing_sends {
+        "nobody sees, for it is out of sight and nothing sends rays on: "
+    } else {
+        "nobody sees, for it is out of sight and no mirror or pane sends rays there: "
+    };
+    list(out, why, unseen, 2)
 }
 
 /// When rays end, if there are any that could go on.
 fn paths(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
-    let goes_on = |row: &EffectRow| {
-        let effects = [Effect::Mirrors, Effect::Transparency];
-        row.on && effects.contains(&row.effect)
-    };
+    let goes_on = |row: &EffectRow| row.on && SEND_ON.contains(&row.effect);
     if !explanation.effects.iter().any(goes_on) {
         return Ok(());
     }

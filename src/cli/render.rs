@@ -20,7 +20,7 @@ use crate::math::Rgb;
 use crate::measure::LightTests;
 use crate::plan::Scope;
 use crate::read::{self, Reading};
-use crate::render::{self, Certificate, Counts};
+use crate::render::{self, Both, Certificate, Counts};
 use crate::scene::Scene;
 
 /// Renders scenes to pictures.
@@ -170,12 +170,12 @@ fn picture<'a>(
     };
     let rendered = pool.install(|| {
         if options.certify {
-            let (film, certificate): (_, Certificate) =
+            let (film, seen): (_, Both<Counts, Certificate>) =
                 render::observed_part(&read, scope, part, &progress)?;
-            let report = certificate::report(&certificate, &read, &film);
+            let report = certificate::report(&seen, &read, &film);
             let print = Print::of(&film, output.format, read.picture.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;
-            return Ok((print, certificate.counts, Some(report)));
+            return Ok((print, seen.0, Some(report)));
         }
         let (print, counts) = render::printed_part(&read, scope, part, output.format, &progress)?;
         Ok((print, counts, None))

@@ -83,14 +83,14 @@ fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Re
             "", light.what
         )?;
     }
-    let of_lamps = if ray.of_lamps == [0.0; 3] {
-        String::new()
-    } else {
-        format!(", of which {} is light of lamps", color(ray.of_lamps))
+    let its_own = match ray.of_lamps {
+        _ if met.glows => "of its own glow".to_owned(),
+        [0.0, 0.0, 0.0] => "of its own".to_owned(),
+        of_lamps => format!("of its own, of which {} is light of lamps", color(of_lamps)),
     };
     writeln!(
         out,
-        "{:indent$}  sends back {} of its own{of_lamps}",
+        "{:indent$}  sends back {} {its_own}",
         "",
         color(ray.own)
     )?;

@@ -49,16 +49,21 @@ impl Region {
         })
     }
 
-    /// A pixel and those around it, of those that a picture of this width and height has.
+    /// One pixel.
     #[must_use]
-    pub fn around([column, row]: [usize; 2], [width, height]: [u32; 2]) -> Self {
+    pub fn pixel(column: usize, row: usize) -> Self {
         Self {
             left: column,
             top: row,
             width: 1,
             height: 1,
         }
-        .grown_within([width, height])
+    }
+
+    /// A pixel and those around it, of those that a picture of this width and height has.
+    #[must_use]
+    pub fn around([column, row]: [usize; 2], [width, height]: [u32; 2]) -> Self {
+        Self::pixel(column, row).grown_within([width, height])
     }
 
     /// It with the pixels around it, of those that a picture of this width and height has.

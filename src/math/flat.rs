@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::band::{HEIGHT, UNDERFLOW, UNIT};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
-use super::{Decisions, Point, Ray, Side, Span};
+use super::{Crossing, Decisions, Point, Ray, Side, Span};
 use crate::language::Refusal;
 
 /// A plane through a point, with a unit normal.
@@ -213,6 +213,23 @@ impl Flat {
         let t = crossing.distance();
         let error = crossing.error(t);
         span.admits(t, error).then_some((t, error))
+    }
+
+    /// How far at most a distance at which a ray meets the plane is from the exact one, by the way from the
+    /// plane's point to the ray's origin.
+    #[must_use]
+    pub fn error(&self, ray: &Ray, t: f64) -> f64 {
+        let (origin, size) = ray.origin.seen_from(self.point);
+        let crossing = Crossing {
+            origin,
+            height: -self.normal.dot(origin),
+            slope: self.normal.dot(ray.dir),
+            rises: true,
+            doubt: HEIGHT * size + self.slack,
+            at_start: None,
+            grazing: None,
+        };
+        crossing.error(t)
     }
 
     /// The point of the plane at distance `t` on a ray that meets it there.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{LightRow, LightTests};
 use crate::language::{Location, Refusal, Sources};
-use crate::plan::{Cause, Decision, Effect, Plan, Scope};
+use crate::plan::{Cause, Decision, Effect, Plan, Scope, Seen};
 use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
 use crate::surface::classic;
@@ -65,8 +65,8 @@ pub struct Thing {
 pub struct SurfaceRow {
     /// The surface.
     pub surface: Thing,
-    /// Whether any ray can meet it.
-    pub seen: bool,
+    /// How rays can meet it.
+    pub seen: Seen,
 }
 
 /// An image in use.

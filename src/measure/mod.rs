@@ -21,7 +21,7 @@ pub use check::check;
 pub use clock::Timing;
 pub use cost::{
     Best, Blame, Cost, DIALS, Dial, Doubt, Ladder, Law, Limit, Measured, Metric, Pictures,
-    Reference, Rung, Spot, Trade, Variation, cost, effects_of, exponent,
+    Reference, Rung, Spot, SpotShare, SurfaceShare, Trade, Variation, cost, effects_of, exponent,
 };
 pub use deviation::Deviation;
 pub use explain::{EffectRow, Explanation, SurfaceRow, TextureRow, Thing, Work, explain};

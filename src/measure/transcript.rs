@@ -55,6 +55,8 @@ pub struct Met {
     pub place: [f64; 3],
     /// The colour of the surface's image there; white without one.
     pub texel: [f64; 3],
+    /// Whether it is a lamp, whose own light is its glow.
+    pub glows: bool,
 }
 
 /// What a light or a lamp does where a ray has met a surface.
@@ -173,6 +175,7 @@ impl Probe for Listener<'_, '_> {
             distance: hit.t,
             place: hit.point.world().to_array(),
             texel: hit.texel.channels(),
+            glows: scene.surfaces[surface].lamp().is_some(),
         };
         self.note(|step| step.met = Some(met));
     }

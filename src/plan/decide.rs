@@ -176,7 +176,7 @@ fn of_surfaces(
     let calling: Vec<_> = surfaces(plan, calls).collect();
     let seen: Vec<_> = calling
         .iter()
-        .filter(|(index, _)| plan.seen[*index])
+        .filter(|(index, _)| plan.seen[*index].is_seen())
         .collect();
     let why = match (calling.len(), seen.len()) {
         (0, _) => format!("no surface has {attribute}"),

@@ -5,12 +5,14 @@ mod decide;
 mod effect;
 mod outlines;
 mod scope;
+mod seen;
 mod tail;
 mod unlit;
 
 pub use effect::{Cause, Decision, Effect};
-pub use outlines::Outlines;
+pub use outlines::{OutlineDepths, Outlines};
 pub use scope::Scope;
+pub use seen::Seen;
 pub use tail::Tail;
 pub use unlit::Unlit;
 
@@ -37,8 +39,8 @@ pub struct Plan<'a> {
     pub light_views: Vec<LightView<'a>>,
     /// What each lamp has before it, in the order of the scene's surfaces.
     pub lamp_views: Vec<LampView<'a>>,
-    /// Whether any ray can meet a surface, for each of them.
-    pub seen: Vec<bool>,
+    /// How rays can meet a surface, for each of them.
+    pub seen: Vec<Seen>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
     /// The same for each lamp.
@@ -92,30 +94,28 @@ impl<'a> Plan<'a> {
         // Rounded numerics prove nothing, so they leave nothing out.
         let elides = scope == Scope::CalledFor && classic.is_none();
         let sight = elides.then(|| Sight::new(&surfaces, &camera));
-        let seen = seen(scene, sight.as_ref());
+        let seen = Seen::all(scene, sight.as_ref(), &camera);
         let unlit: Vec<Vec<_>> = scene
             .lights
             .iter()
             .map(|light| {
                 let pairs = scene.surfaces.iter().zip(&seen);
                 pairs
-                    .map(|(surface, seen)| Unlit::reason(light, &**surface, *seen))
+                    .map(|(surface, seen)| Unlit::reason(light, &**surface, seen.is_seen()))
                     .map(|why| why.filter(|why| elides || why.is_rule()))
                     .collect()
             })
             .collect();
         let places = scene.lights.iter().map(|light| light.location);
-        let mut light_views = LightView::all(&surfaces, places, elides);
-        for (view, unlit) in light_views.iter_mut().zip(&unlit) {
-            view.retain(|surface| unlit[surface].is_none());
-        }
+        let lights = |light: usize, surface: usize| unlit[light][surface].is_none();
+        let light_views = LightView::all(&surfaces, places, elides, lights);
         let mut lamp_views = LampView::all(&surfaces, &scene.surfaces, !elides);
         let unlit_by_lamp: Vec<Vec<_>> = lamp_views
             .iter()
             .map(|view| {
                 let pairs = surfaces.entries().iter().zip(&seen);
                 pairs
-                    .map(|(entry, seen)| Unlit::by_lamp(view, entry, *seen))
+                    .map(|(entry, seen)| Unlit::by_lamp(view, entry, seen.is_seen()))
                     .map(|why| why.filter(|why| elides || why.is_rule()))
                     .collect()
             })
@@ -167,21 +167,4 @@ fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
     let called_for =
         filter != Filter::Nearest && surfaces.any(|surface| surface.texture().is_some());
     (called_for || scope == Scope::Everything).then_some(filter)
-}
-
-/// Whether any ray can meet a surface, for each of them: rays from the eye can where the camera
-/// sees it, and others anywhere.
-fn seen(scene: &Scene, sight: Option<&Sight<'_>>) -> Vec<bool> {
-    let Some(sight) = sight else {
-        return vec![true; scene.surfaces.len()];
-    };
-    let Picture { width, height, .. } = scene.picture;
-    let seen = sight.seen([width, height], scene.surfaces.len());
-    let surfaces = scene.surfaces.iter().zip(&seen);
-    let mut sent_on =
-        surfaces.filter(|(surface, seen)| **seen && surface.common().material.sends_on());
-    if sent_on.next().is_some() {
-        return vec![true; scene.surfaces.len()];
-    }
-    seen
 }

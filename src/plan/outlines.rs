@@ -1,21 +1,35 @@
 //! Through which pixels the outlines of surfaces run.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::camera::Camera;
+use crate::film::Region;
 use crate::surface::Surface;
 
-/// For each pixel, how near to the eye the nearest outline is that runs through it: a thing in front
-/// of others cannot be in a pixel unseen without its outline.
+/// The outlines of surfaces as lines in a picture.
 ///
-/// It only tells where more rays are worth while, so it need not be exact; it is the same on every
-/// machine.
+/// They only tell where more rays are worth while, so they need not be exact; they are the same on
+/// every machine.
 #[derive(Debug)]
 pub struct Outlines {
-    width: usize,
+    /// The picture's height in pixels.
     height: usize,
-    /// Depths, row by row from the bottom; infinite where there is no outline.
-    nearest: Vec<f32>,
+    lines: Vec<Line>,
+}
+
+/// The ends of a line: their places in pixels from the centre of the lower-left one, and one over
+/// their depths, which is linear in the picture, too.
+type Line = [DVec3; 2];
+
+/// For each pixel of a part of a picture, how near to the eye the nearest outline is that runs through
+/// it: a thing in front of others cannot be in a pixel unseen without its outline.
+#[derive(Debug)]
+pub struct OutlineDepths {
+    part: Region,
+    /// Row by row from the top; infinite where there is no outline.
+    nearest: Vec<f64>,
 }
 
 /// Half the width of an outline, in pixels; an outline of chords is no further off than this.
@@ -30,14 +44,9 @@ impl Outlines {
     pub fn new<'a>(
         surfaces: impl Iterator<Item = &'a dyn Surface>,
         camera: &Camera,
-        [width, height]: [u32; 2],
+        size: [u32; 2],
     ) -> Self {
-        let [width, height] = [width, height].map(|side| side as usize);
-        let mut outlines = Self {
-            width,
-            height,
-            nearest: vec![f32::INFINITY; width * height],
-        };
+        let mut lines = Vec::new();
         for surface in surfaces {
             let corners = match surface.round() {
                 Some(round) => silhouette(camera.viewpoint(), round),
@@ -45,74 +54,97 @@ impl Outlines {
             };
             let images: Vec<_> = corners.into_iter().map(|it| camera.image(it)).collect();
             let ends = images.iter().cycle().skip(1);
-            for (start, end) in images.iter().zip(ends) {
-                outlines.draw(*start, *end);
-            }
+            let sides = images.iter().zip(ends);
+            lines.extend(sides.filter_map(|(start, end)| within([*start, *end], size)));
         }
-        outlines
+        Self {
+            height: size[1] as usize,
+            lines,
+        }
     }
 
-    /// The depth of the nearest outline through the pixel of a column and a row from the lower left;
-    /// infinite if there is none.
+    /// How near the outlines are that run through the pixels of a part of the picture.
     #[must_use]
-    pub fn nearest(&self, column: usize, row: usize) -> f64 {
-        f64::from(self.nearest[row * self.width + column])
+    pub fn over(&self, part: Region) -> OutlineDepths {
+        let mut depths = OutlineDepths {
+            part,
+            nearest: vec![f64::INFINITY; part.width * part.height],
+        };
+        for line in &self.lines {
+            depths.draw(line, self.height);
+        }
+        depths
+    }
+}
+
+impl OutlineDepths {
+    /// The depth of the nearest outline through a pixel of the part, which lies in this column and row of
+    /// the picture; infinite if there is none.
+    #[must_use]
+    pub fn nearest(&self, [column, row]: [usize; 2]) -> f64 {
+        self.nearest[(row - self.part.top) * self.part.width + (column - self.part.left)]
     }
 
-    /// Draws a line between two images of points.
-    fn draw(&mut self, start: DVec3, end: DVec3) {
-        let Some([start, end]) = self.within(start, end) else {
-            return;
-        };
-        // A depth's reciprocal is linear in the picture.
-        let [from, to] = [start, end].map(|it| DVec3::new(it.x / it.z, it.y / it.z, 1.0 / it.z));
-        let (low, high) = (from.y.min(to.y), from.y.max(to.y));
-        for row in pixels(low, high, self.height) {
-            let (bottom, top) = reach(row);
+    /// Draws a line of a picture of this height.
+    fn draw(&mut self, [from, to]: &Line, height: usize) {
+        let [left, top, right, bottom] = self.part.corners();
+        // Lines count rows from the bottom.
+        let rows = touched(
+            from.y.min(to.y),
+            from.y.max(to.y),
+            height - bottom..height - top,
+        );
+        for row in rows {
+            let (low, high) = reach(row);
             let rise = to.y - from.y;
             let [mut enters, mut leaves] = [0.0, 1.0];
             if rise != 0.0 {
-                let at = [bottom, top].map(|y| ((y - from.y) / rise).clamp(0.0, 1.0));
+                let at = [low, high].map(|y| ((y - from.y) / rise).clamp(0.0, 1.0));
                 [enters, leaves] = [at[0].min(at[1]), at[0].max(at[1])];
             }
-            let ends = [enters, leaves].map(|at| from + (to - from) * at);
-            let (left, right) = (ends[0].x.min(ends[1].x), ends[0].x.max(ends[1].x));
-            #[expect(clippy::cast_possible_truncation, reason = "rounded to the nearest")]
-            let depth = (1.0 / ends[0].z.max(ends[1].z)) as f32;
-            for column in pixels(left, right, self.width) {
-                let nearest = &mut self.nearest[row * self.width + column];
+            let ends = [enters, leaves].map(|at| *from + (*to - *from) * at);
+            let columns = touched(
+                ends[0].x.min(ends[1].x),
+                ends[0].x.max(ends[1].x),
+                left..right,
+            );
+            let depth = 1.0 / ends[0].z.max(ends[1].z);
+            let start = (height - 1 - row - top) * self.part.width;
+            for column in columns {
+                let nearest = &mut self.nearest[start + column - left];
                 *nearest = nearest.min(depth);
             }
         }
     }
+}
 
-    /// The part of a line between two images that lies in the picture, or not far beside it.
-    fn within(&self, start: DVec3, end: DVec3) -> Option<[DVec3; 2]> {
-        #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
-        let [width, height] = [self.width, self.height].map(|side| side as f64);
-        let (mut enters, mut leaves) = (0.0f64, 1.0f64);
-        // The sides of the picture, a pixel further out; between any two of them depths are
-        // above zero.
-        for inside in [
-            |it: DVec3, _: f64, _: f64| it.x + it.z,
-            |it: DVec3, width: f64, _: f64| width * it.z - it.x,
-            |it: DVec3, _: f64, _: f64| it.y + it.z,
-            |it: DVec3, _: f64, height: f64| height * it.z - it.y,
-        ] {
-            let [before, after] = [start, end].map(|it| inside(it, width, height));
-            if before < 0.0 && after < 0.0 {
-                return None;
-            }
-            let crossing = before / (before - after);
-            if before < 0.0 {
-                enters = enters.max(crossing);
-            } else if after < 0.0 {
-                leaves = leaves.min(crossing);
-            }
+/// The part of a line between two images that lies in a picture of this width and height, or not
+/// far beside it.
+fn within([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
+    let [width, height] = size.map(f64::from);
+    let (mut enters, mut leaves) = (0.0f64, 1.0f64);
+    // The sides of the picture, a pixel further out; between any two of them depths are above
+    // zero.
+    for inside in [
+        |it: DVec3, _: f64, _: f64| it.x + it.z,
+        |it: DVec3, width: f64, _: f64| width * it.z - it.x,
+        |it: DVec3, _: f64, _: f64| it.y + it.z,
+        |it: DVec3, _: f64, height: f64| height * it.z - it.y,
+    ] {
+        let [before, after] = [start, end].map(|it| inside(it, width, height));
+        if before < 0.0 && after < 0.0 {
+            return None;
         }
-        let ends = [enters, leaves].map(|at| start + (end - start) * at);
-        (enters <= leaves && ends.iter().all(|it| it.z > 0.0)).then_some(ends)
+        let crossing = before / (before - after);
+        if before < 0.0 {
+            enters = enters.max(crossing);
+        } else if after < 0.0 {
+            leaves = leaves.min(crossing);
+        }
     }
+    let ends = [enters, leaves].map(|at| start + (end - start) * at);
+    let is_seen = enters <= leaves && ends.iter().all(|it| it.z > 0.0);
+    is_seen.then(|| ends.map(|it| DVec3::new(it.x / it.z, it.y / it.z, 1.0 / it.z)))
 }
 
 /// The outline of an ellipsoid along the axes as it is seen from somewhere, as a polygon; empty from
@@ -143,21 +175,20 @@ fn reach(pixel: usize) -> (f64, f64) {
     (center - 0.5 - HALF_WIDTH, center + 0.5 + HALF_WIDTH)
 }
 
-/// The columns or rows, of so many, that an outline touches which reaches from `low` to `high`.
-fn pixels(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
-    let pixel = |place: f64| {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "clamped"
-        )]
-        let pixel = (place + 0.5).floor().max(0.0) as usize;
-        pixel
-    };
-    let end = if high + HALF_WIDTH < -0.5 {
-        0
-    } else {
-        pixel(high + HALF_WIDTH) + 1
-    };
-    pixel(low - HALF_WIDTH)..end.min(count)
+/// Those of some columns or rows that an outline touches which reaches from `low` to `high`.
+fn touched(low: f64, high: f64, pixels: Range<usize>) -> Range<usize> {
+    let (first, last) = (low - HALF_WIDTH + 0.5, high + HALF_WIDTH + 0.5);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "casts from float saturate"
+    )]
+    let end = if last < 0.0 { 0 } else { last as usize + 1 };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "casts from float saturate"
+    )]
+    let start = first as usize;
+    start.max(pixels.start)..end.min(pixels.end)
 }

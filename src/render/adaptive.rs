@@ -1,6 +1,6 @@
 //! As many rays through each pixel as its error asks for.
 
-use super::{Probe, Seed, Tracer, watch::Watch};
+use super::{Both, Probe, Seed, Tracer, watch::Watch};
 use crate::camera::{Pattern, Places};
 use crate::film::{Region, Transfer};
 use crate::math::Rgb;
@@ -10,9 +10,9 @@ use crate::scene::Picture;
 /// Sends rays through pixels until their errors are probably within the picture's `max-error`.
 ///
 /// Each pixel takes the first places of its Sobol sequence: four at first, or as many as `samples`
-/// says, then twice as many, and so on. Whether it goes on depends on its own rays, on the first
-/// ones of the pixels around it, and on the outlines through it; so a pixel is the same in any part
-/// of the picture.
+/// says, then half as many more or a third, up to the next power of two, and so on. Whether it goes on
+/// depends on its own rays, on the first ones of the pixels around it, and on the outlines through
+/// it; so a pixel is the same in any part of the picture.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
@@ -20,24 +20,34 @@ pub(super) struct Adaptive<'a> {
     outlines: &'a Outlines,
 }
 
-/// How much the error of a border between two colours is of their difference, for one ray; it falls
-/// as the count's power of -3/4. Twice the root of the mean square, as measured.
-const BORDER: f64 = 0.7;
+/// How much the error of a border between two colours is of their difference, for one ray that is as
+/// likely to meet either; it falls as the count's power of -3/4. Twice the root of the mean square, as
+/// measured.
+const BORDER: f64 = 0.8;
 
-/// How much the error of a mean is of the largest difference to the mean of a quarter: as measured on
-/// images, where it meets the target in more than 99.5 % of pixels.
-const SPREAD: f64 = 0.7;
+/// How many standard errors the error of a mean is: as measured on images, where it meets the target in
+/// more than 99.5 % of pixels.
+const SPREAD: f64 = 1.3;
+
+/// With so many rays, their parts look alike by chance so often that the square of their standard
+/// error counts twice.
+const FEW: f64 = 16.0;
 
 /// What the rays of a pixel have brought.
 #[derive(Debug, Clone, Copy)]
 struct Tally {
-    /// How many rays; a power of two, at least four.
+    /// How many rays; a power of two, at least four, or one and a half times that.
     count: u32,
-    /// The sums of the first quarter of them and so on; each quarter is spread evenly.
-    quarters: [Rgb; 4],
+    /// The sums of equally many rays that follow each other, which are spread evenly: four or six of
+    /// them, and between two steps eight.
+    parts: [Rgb; 8],
+    /// How many of these there are.
+    filled: usize,
+    /// The sum of the squares of all colours.
+    squares: Rgb,
     range: Colors,
-    /// How deep into the picture they went before they met something.
-    farthest: f64,
+    /// Whether an outline runs through the pixel that is not well behind all that the first rays met.
+    outlined: bool,
 }
 
 /// The darkest and the brightest of each channel of some colours.
@@ -61,50 +71,49 @@ impl<'a> Adaptive<'a> {
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
         let size = [self.picture.width, self.picture.height];
         let wide = part.grown_within(size);
+        let outlines = self.outlines.over(wide);
         let pilots: Vec<_> = wide
             .places()
-            .map(|[column, row]| self.pilot(column, row, probe))
+            .map(|place| self.pilot(place, outlines.nearest(place), probe))
             .collect();
-        let pilot = |column: usize, row: usize| {
+        let pilot = |[column, row]: [usize; 2]| {
             &pilots[(row - wide.top) * wide.width + (column - wide.left)]
         };
-        for ([column, row], pixel) in part.places().zip(pixels) {
-            let around = Region::around([column, row], size);
-            let around = around
-                .places()
-                .map(|[column, row]| pilot(column, row).range);
-            let around = around.fold(pilot(column, row).range, Colors::and);
-            *pixel = self.refined(*pilot(column, row), around, column, row, probe);
+        for (place, pixel) in part.places().zip(pixels) {
+            let own = *pilot(place);
+            let around = Region::around(place, size).places().map(pilot);
+            let around = around.fold(own.range, |all, it| all.and(it.range));
+            *pixel = self.refined(own, around, place, probe);
         }
     }
 
     /// The colour of one pixel; onlookers do not see the rays of those around it.
-    pub(super) fn color(&self, column: usize, row: usize, probe: &mut impl Probe) -> Rgb {
-        let own = self.pilot(column, row, probe);
+    pub(super) fn color(&self, place: [usize; 2], probe: &mut impl Probe) -> Rgb {
         let size = [self.picture.width, self.picture.height];
-        let around = Region::around([column, row], size);
-        let others = around.places().filter(|place| *place != [column, row]);
-        let others = others.map(|[column, row]| self.pilot(column, row, &mut ()).range);
-        let around = others.fold(own.range, Colors::and);
-        self.refined(own, around, column, row, probe)
+        let wide = Region::around(place, size);
+        let outlines = self.outlines.over(wide);
+        let own = self.pilot(place, outlines.nearest(place), probe);
+        let others = wide.places().filter(|other| *other != place);
+        let others = others.map(|other| self.pilot(other, outlines.nearest(other), &mut ()));
+        let around = others.fold(own.range, |all, it| all.and(it.range));
+        self.refined(own, around, place, probe)
     }
 
-    /// The first rays of a pixel.
-    fn pilot(&self, column: usize, row: usize, probe: &mut impl Probe) -> Tally {
-        let mut tally = Tally {
-            count: 0,
-            quarters: [Rgb::BLACK; 4],
-            range: Colors::NONE,
-            farthest: 0.0,
-        };
+    /// The first rays of a pixel, through which an outline of this depth runs.
+    fn pilot(&self, place: [usize; 2], outline: f64, probe: &mut impl Probe) -> Tally {
+        // What is well behind all that was met is not seen.
+        const NEAR: f64 = 1.0 + 1.0 / 64.0;
         let count = self.picture.samples.next_power_of_two();
-        self.send(
-            &mut tally,
-            count.max(Picture::FEWEST_ADAPTIVE),
-            column,
-            row,
-            probe,
-        );
+        let count = count.max(Picture::FEWEST_ADAPTIVE);
+        let mut tally = Tally::NOTHING;
+        if outline.is_finite() {
+            let onlooker: &mut dyn Probe = probe;
+            let mut both = Both(onlooker, Watch::new(&self.tracer.plan.camera));
+            self.send(&mut tally, 4, count / 4, place, &mut both);
+            tally.outlined = outline <= both.1.farthest() * NEAR;
+        } else {
+            self.send(&mut tally, 4, count / 4, place, probe);
+        }
         tally
     }
 
@@ -113,96 +122,129 @@ impl<'a> Adaptive<'a> {
         &self,
         mut tally: Tally,
         around: Colors,
-        column: usize,
-        row: usize,
+        place: [usize; 2],
         probe: &mut impl Probe,
     ) -> Rgb {
-        // An outline that is well behind all that was met is not seen.
-        const NEAR: f64 = 1.0 + 1.0 / 64.0;
-        let outline = self.outlines.nearest(column, self.camera_row(row));
-        while tally.count < Picture::MOST_ADAPTIVE {
-            let outlined = outline.is_finite() && outline <= tally.farthest * NEAR;
-            let transfer = self.picture.transfer;
-            if tally.error(around, outlined, transfer) <= self.picture.max_error {
-                break;
-            }
-            let [first, second, third, fourth] = tally.quarters;
-            tally.quarters = [
-                (first + second).saturated(),
-                (third + fourth).saturated(),
-                Rgb::BLACK,
-                Rgb::BLACK,
-            ];
-            let count = 2 * tally.count;
-            self.send(&mut tally, count, column, row, probe);
+        let Picture {
+            transfer,
+            max_error,
+            ..
+        } = *self.picture;
+        while tally.count < Picture::MOST_ADAPTIVE && tally.error(around, transfer) > max_error {
+            let size = tally.size();
+            self.send(&mut tally, 2, size, place, probe);
+            tally.put_together();
         }
         tally.mean()
     }
 
-    /// Sends rays until there are as many as this.
+    /// Sends so many parts of so many rays each through a pixel.
     fn send(
         &self,
         tally: &mut Tally,
-        count: u32,
-        column: usize,
-        row: usize,
+        parts: u32,
+        size: u32,
+        [column, row]: [usize; 2],
         probe: &mut impl Probe,
     ) {
-        let row = self.camera_row(row);
-        let places = Places::new(Pattern::Sobol, column, row, count);
-        let camera = &self.tracer.plan.camera;
+        // The camera counts rows from the bottom.
+        let row = self.picture.height as usize - 1 - row;
+        let end = tally.count + parts * size;
+        let places = Places::new(Pattern::Sobol, column, row, end);
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
-        for number in tally.count..count {
-            let [dx, dy] = places.at(number);
-            let mut watch = Watch::new(probe, camera);
-            let seed = Seed::shared(places.seed, number);
-            let color = self.tracer.sees_as(x + dx, y + dy, seed, &mut watch);
-            tally.farthest = tally.farthest.max(watch.depth);
-            tally.range = tally.range.and(Colors {
-                low: color,
-                high: color,
-            });
-            let quarter = &mut tally.quarters[(number / (count / 4)) as usize];
-            *quarter = (*quarter + color).saturated();
+        while tally.count < end {
+            let [dx, dy] = places.at(tally.count);
+            let seed = Seed::shared(places.seed, tally.count);
+            tally.add(self.tracer.sees_as(x + dx, y + dy, seed, probe));
+            if (end - tally.count).is_multiple_of(size) {
+                tally.filled += 1;
+            }
         }
-        tally.count = count;
-    }
-
-    /// The camera's number of a row, which counts from the bottom.
-    fn camera_row(&self, row: usize) -> usize {
-        self.picture.height as usize - 1 - row
     }
 }
 
 impl Tally {
+    const NOTHING: Self = Self {
+        count: 0,
+        parts: [Rgb::BLACK; 8],
+        filled: 0,
+        squares: Rgb::BLACK,
+        range: Colors::NONE,
+        outlined: false,
+    };
+
+    /// Adds what a ray brought to the part that is being filled.
+    fn add(&mut self, color: Rgb) {
+        let part = &mut self.parts[self.filled];
+        *part = (*part + color).saturated();
+        self.squares += color * color;
+        self.range = self.range.and(Colors {
+            low: color,
+            high: color,
+        });
+        self.count += 1;
+    }
+
+    /// How many rays there are in each part.
+    fn size(&self) -> u32 {
+        #[expect(clippy::cast_possible_truncation, reason = "eight at most")]
+        let parts = self.filled as u32;
+        self.count / parts
+    }
+
+    /// Puts two parts each together if there are eight.
+    fn put_together(&mut self) {
+        if self.filled == self.parts.len() {
+            self.filled /= 2;
+            for part in 0..self.filled {
+                let [first, second] = [0, 1].map(|number| self.parts[2 * part + number]);
+                self.parts[part] = (first + second).saturated();
+            }
+            self.parts[self.filled..].fill(Rgb::BLACK);
+        }
+    }
+
     fn mean(&self) -> Rgb {
-        let [first, second, third, fourth] = self.quarters;
-        let sum = ((first + second).saturated() + (third + fourth).saturated()).saturated();
+        let sum = self
+            .parts
+            .iter()
+            .fold(Rgb::BLACK, |sum, part| (sum + *part).saturated());
         sum / f64::from(self.count)
     }
 
     /// How far off the mean probably is in its worst channel, as it is shown.
-    fn error(&self, around: Colors, outlined: bool, transfer: Transfer) -> f64 {
+    fn error(&self, around: Colors, transfer: Transfer) -> f64 {
         let count = f64::from(self.count);
         let border = BORDER / (count.sqrt() * count.sqrt().sqrt());
         let mean = self.mean().channels();
-        let quarters = self
-            .quarters
-            .map(|quarter| (quarter / (count / 4.0)).channels());
+        let squares = (self.squares / count).channels();
+        let parts = &self.parts[..self.filled];
+        let size = f64::from(self.size());
+        #[expect(clippy::cast_precision_loss, reason = "eight at most")]
+        let pairs = (parts.len() * (parts.len() - 1)) as f64;
         let (own, around) = (self.range.width(), around.width());
         let of_channel = |channel: usize| {
             let (own, around, mean) = (own[channel], around[channel], mean[channel]);
-            let far = quarters
+            // A border that cuts off a corner only is short: its error is between the difference of
+            // colours and their deviation, of which the former is at least twice the latter.
+            let deviation = (squares[channel] - mean * mean).max(0.0).sqrt();
+            let border = border * (own * 2.0 * deviation).sqrt();
+            let off = parts
                 .iter()
-                .map(|quarter| (quarter[channel] - mean).abs());
-            let spread = far.fold(0.0, f64::max);
+                .map(|part| part.channels()[channel] / size - mean);
+            let spread = off.map(|off| off * off).sum::<f64>() / pairs;
+            let spread = spread * (1.0 + FEW / count);
+            let seen = (border * border + SPREAD * SPREAD * spread).sqrt();
             // What no ray has met has about the share of one ray: a colour of the pixels around,
             // or black before white if an outline promises that there is something.
-            let known = if outlined { around.max(1.0) } else { around };
+            let known = if self.outlined {
+                around.max(1.0)
+            } else {
+                around
+            };
             let unmet = (known - own) / count;
-            let error = (border * own).max(SPREAD * spread).max(unmet);
-            transfer.error(mean, error)
+            transfer.error(mean, seen.max(unmet))
         };
         (0..3).map(of_channel).fold(0.0, f64::max)
     }

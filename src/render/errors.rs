@@ -45,7 +45,7 @@ impl Errors {
     pub fn at(self, ray: &Ray, hit: &Hit, surface: &dyn Surface) -> Self {
         let (_, start) = ray.origin.seen_from(hit.point.anchor);
         let rounding = FOOT * (start + hit.point.offset.abs().element_sum());
-        let slip = surface.slip() * hit.error + rounding;
+        let slip = surface.slip() * surface.error(ray, hit) + rounding;
         let beside = self.beside + times(self.direction, hit.t);
         let slide = times(beside, 1.0 / ray.dir.dot(hit.normal).abs());
         Self {

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod beams;
+mod both;
 mod certificate;
 mod errors;
 mod lamps;
@@ -14,6 +15,7 @@ mod thread_work;
 mod tracer;
 mod watch;
 
+pub use both::Both;
 pub use certificate::Certificate;
 pub use errors::{Errors, Turn};
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
@@ -56,7 +58,7 @@ pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film,
 pub fn certify(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, Certificate), Refusal> {
+) -> Result<(Film, Both<Counts, Certificate>), Refusal> {
     observed(scene, Scope::CalledFor, progress)
 }
 
@@ -207,7 +209,7 @@ impl<'a> Painter<'a> {
             None if scene.picture.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
                 for ([column, row], pixel) in rows.places().zip(pixels) {
-                    *pixel = pixel_color(tracer, scene, column, row, &mut probe);
+                    *pixel = uniform(tracer, scene, column, row, &mut probe);
                 }
             }
         }
@@ -228,8 +230,19 @@ pub fn pixel_color(
     probe: &mut impl Probe,
 ) -> Rgb {
     if let Some(adaptive) = Adaptive::new(tracer, tracer.plan) {
-        return adaptive.color(column, row, probe);
+        return adaptive.color([column, row], probe);
     }
+    uniform(tracer, scene, column, row, probe)
+}
+
+/// The colour of a pixel of a picture that asks for the same number of rays everywhere.
+fn uniform(
+    tracer: Tracer<'_>,
+    scene: &Scene,
+    column: usize,
+    row: usize,
+    probe: &mut impl Probe,
+) -> Rgb {
     // The picture's rows are counted from the top, the camera's from the bottom.
     let from_bottom = scene.picture.height as usize - 1 - row;
     #[expect(

@@ -106,6 +106,53 @@ impl Probe for () {
     }
 }
 
+/// An onlooker that somebody else keeps.
+impl<P: Probe + ?Sized> Probe for &mut P {
+    fn ray(&mut self, kind: RayKind, share: Rgb) {
+        (**self).ray(kind, share);
+    }
+
+    fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
+        (**self).not_followed(kind, why);
+    }
+
+    fn follows_errors(&self) -> bool {
+        (**self).follows_errors()
+    }
+
+    fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
+        (**self).met(surface, hit, errors);
+    }
+
+    fn light(&mut self, light: usize, arrival: Arrival) {
+        (**self).light(light, arrival);
+    }
+
+    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
+        (**self).own_color(color, of_lamps);
+    }
+
+    fn came_back(&mut self, color: Rgb) {
+        (**self).came_back(color);
+    }
+
+    fn hit_tests(&mut self, count: u64) {
+        (**self).hit_tests(count);
+    }
+
+    fn occlusion_tests(&mut self, light: usize, count: u64) {
+        (**self).occlusion_tests(light, count);
+    }
+
+    fn decisions(&mut self, decisions: Decisions) {
+        (**self).decisions(decisions);
+    }
+
+    fn texel_fetches(&mut self, count: u64) {
+        (**self).texel_fetches(count);
+    }
+}
+
 /// How much work a picture took.
 #[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Counts {

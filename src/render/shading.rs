@@ -101,19 +101,20 @@ impl Tracer<'_> {
             return Arrival::OutsideBeam;
         };
         let receives = entry.common.shadows.receive;
-        if !(receives && before.can_hide(hit, &segment.ray)) {
+        let blockers = receives.then(|| before.blockers(hit, &segment.ray));
+        let Some(blockers) = blockers.flatten() else {
             return Arrival::Light {
                 color: leaving,
                 unasked: true,
             };
-        }
+        };
         probe.ray(RayKind::Shadow, Rgb::WHITE);
         let segment = Segment {
             screen: self.plan.camera.screen(),
             ..*segment
         };
         let mut tests = 0;
-        let passed = before.transmittance(hit, &segment, &mut tests);
+        let passed = blockers.transmittance(&segment, &mut tests);
         probe.occlusion_tests(index, tests);
         if passed.is_black() {
             return Arrival::Hidden;

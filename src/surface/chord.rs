@@ -197,6 +197,11 @@ impl Chord {
         (above_zero(2.0 * self.ahead), 2.0 * error)
     }
 
+    /// How far at most the distances of both ends are off.
+    pub(super) fn error_of_end(&self) -> f64 {
+        self.error(self.half_squared.max(0.0).sqrt(), self.speed_squared.sqrt())
+    }
+
     /// How far at most the distance is off.
     ///
     /// `|√(x + e) − √x|` is at most `|e| / (√x + √(x − |e|))`, and `√(x − |e|)` no less than `√x − |e|/√x`;

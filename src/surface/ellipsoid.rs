@@ -231,6 +231,10 @@ impl Surface for Ellipsoid {
         Side::of((&way.dot(&way) - &self.exact_volume().squared()).sign())
     }
 
+    fn error(&self, ray: &Ray, hit: &Hit) -> f64 {
+        self.own_error(ray, hit)
+    }
+
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         self.exact_meeting(ray)
     }

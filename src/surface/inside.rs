@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::Surface;
 use super::chord::{Chord, Quadratic, Roundings, side_of_ball};
+use super::{Hit, Surface};
 use crate::math::exact::{Distance, Sign};
 use crate::math::{Ray, Segment, Side};
 
@@ -50,6 +50,18 @@ pub(super) trait Round: Surface {
             Start::InsideOfIt => Some(self.chord(ray).whole()),
             Start::Outside => self.entry(ray),
             Start::OutsideOfIt => None,
+        }
+    }
+
+    /// The error of a hit's distance, by the way from the centre to the ray's origin.
+    fn own_error(&self, ray: &Ray, hit: &Hit) -> f64 {
+        let is_entry = !self.common().material.is_entered() || self.start(ray) == Start::Outside;
+        // Where a ray comes out, the hit's own bound knows no more than that way, either.
+        let own = || self.chord(ray).error_of_end();
+        if is_entry {
+            hit.error.min(own())
+        } else {
+            hit.error
         }
     }
 

@@ -197,6 +197,10 @@ impl Surface for Lamp {
         self.form.surface().occludes(segment, end)
     }
 
+    fn error(&self, ray: &Ray, hit: &Hit) -> f64 {
+        self.form.surface().error(ray, hit)
+    }
+
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         self.form.surface().exact_distance(ray)
     }

@@ -77,6 +77,15 @@ pub trait Surface: Send + Sync + fmt::Debug {
         None
     }
 
+    /// How far at most the distance of a hit is from the exact one, as close as it can be told.
+    ///
+    /// The hit's own bound takes less time, but grows with the coordinates of both ends; this one knows only
+    /// the way between them.
+    fn error(&self, ray: &Ray, hit: &Hit) -> f64 {
+        let own = self.flat().map(|flat| flat.error(ray, hit.t));
+        own.map_or(hit.error, |own| hit.error.min(own))
+    }
+
     /// How far at most a hit point may lie from where it ought to because its distance is off, in units of
     /// the error of that.
     ///

@@ -218,6 +218,10 @@ impl Surface for Sphere {
         Side::of((&way.dot(&way) - &Exact::from(self.radius).squared()).sign())
     }
 
+    fn error(&self, ray: &Ray, hit: &Hit) -> f64 {
+        self.own_error(ray, hit)
+    }
+
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         self.exact_meeting(ray)
     }

@@ -186,3 +186,35 @@ fn a_pane_that_bends_nothing_leaves_errors_as_they_are() {
     let error = error.expect("a number");
     assert!(error > 0.0 && error < 1e-12, "{error}");
 }
+
+/// Far from the origin numbers are as coarse as they are there, but a scene of such numbers is computed
+/// like one at the origin, and is said to be.
+#[test]
+fn a_scene_far_away_is_not_said_to_be_off_by_more() {
+    let shell = Shell::new();
+    let largest = |x: &str| {
+        let place = |y: f64, z: f64| format!("{x} {y} {z}");
+        let scene = format!(
+            r#"image 16 12
+            camera {{ viewpoint {eye}; look-at {middle} }}
+            material "red" {{ ambient 1 0 0 }}
+            plane "floor" {{ material "red"; point {floor}; normal 0 1 0 }}
+            sphere "ball" {{ material "red"; center {middle}; radius 1 }}
+            finite-plane "pane" {{
+                material "red"; point {pane}; normal 1 1 1; xdir 1 0 -1; dimensions 1 1 }}"#,
+            eye = place(2.0, 5.0),
+            middle = place(0.5, 0.0),
+            floor = place(-0.5, 0.0),
+            pane = place(1.0, 1.0),
+        );
+        shell.write("scene.kdl", &scene);
+        let run = shell
+            .run(&["render", "scene.kdl", "--certify", "--json"])
+            .ends_with(0);
+        let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+        answer["certificate"]["largest_error"].as_f64()
+    };
+    let [near, far] = ["0", "1e9"].map(|x| largest(x).expect("a number"));
+    assert!(near > 0.0 && near < 1e-10, "{near}");
+    assert_eq!(far, near);
+}

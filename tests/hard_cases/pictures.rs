@@ -5,7 +5,8 @@ use heliodon::film::Film;
 use heliodon::math::Rgb;
 
 use crate::cases::{self, Case, Node};
-use crate::numbers::{exact, is_close, words};
+use crate::floor::Floor;
+use crate::numbers::{exact, is_close, nearest, words};
 use crate::rays::Answer;
 use crate::scenes::{self, whole};
 use crate::subject::{BackEnd, Encoding, Subject, code};
@@ -46,6 +47,16 @@ pub(crate) fn picture(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
     }
     for drawn in node.all("drawn") {
         compare(&letters(&film), drawn.value())?;
+    }
+    if let Some(eye) = node.get("floor-from") {
+        let screen = node
+            .get("screen")
+            .unwrap_or_else(|| panic!("a floor is seen through a screen"));
+        shows_floor(
+            &film,
+            &Floor::new(eye, screen),
+            node.get("within").unwrap_or("8 ulp"),
+        )?;
     }
     if let Some(most) = node.number::<usize>("changes") {
         few_changes(&film, most)?;
@@ -150,6 +161,19 @@ pub(crate) fn unchanged(node: &Node, case: &Case, back_end: BackEnd) -> Answer {
         let film = subject.picture_by(accelerator)?;
         same(&film, &original, &format!("the picture by a {word}"))?;
     }
+    for part in node.get("parts").unwrap_or_default().split_whitespace() {
+        let corners: Vec<usize> = part.split(',').map(|side| side.parse().unwrap()).collect();
+        let &[left, top, right, bottom] = corners.as_slice() else {
+            panic!("a part is left,top,right,bottom, and not {part}");
+        };
+        let film = subject.part([left, top], [right, bottom])?;
+        let rows = top..bottom;
+        let pixels = rows.flat_map(|row| (left..right).map(move |column| (column, row)));
+        let expected: Vec<_> = pixels
+            .map(|(column, row)| original.pixel(column, row))
+            .collect();
+        same_pixels(film.pixels(), &expected, &format!("the part {part}"))?;
+    }
     Ok(())
 }
 
@@ -212,13 +236,37 @@ fn every(film: &Film, expected: &str, is_true: impl Fn(Rgb) -> bool) -> Answer {
     ))
 }
 
+/// Every pixel is as bright as its part of the floor.
+fn shows_floor(film: &Film, floor: &Floor, within: &str) -> Answer {
+    let within = nearest(&exact(within));
+    let [width, height] = [film.width(), film.height()].map(|side| u32::try_from(side).unwrap());
+    let (mut most, mut place) = (0f64, [0, 0]);
+    for row in 0..height {
+        for column in 0..width {
+            let found = film.pixel(column as usize, row as usize).g;
+            let off = (found - floor.mean([column, row], [width, height])).abs();
+            if off > most {
+                (most, place) = (off, [column, row]);
+            }
+        }
+    }
+    if most <= within {
+        return Ok(());
+    }
+    Err(format!("pixel {place:?} is off by {most}"))
+}
+
 fn same(film: &Film, original: &Film, which: &str) -> Answer {
-    let pairs = film.pixels().iter().zip(original.pixels());
+    same_pixels(film.pixels(), original.pixels(), which)
+}
+
+fn same_pixels(pixels: &[Rgb], expected: &[Rgb], which: &str) -> Answer {
+    let pairs = pixels.iter().zip(expected);
     let bits = |pixel: &Rgb| pixel.channels().map(f64::to_bits);
     let differ = pairs
         .filter(|(one, other)| bits(one) != bits(other))
         .count();
-    if differ == 0 && film.pixels().len() == original.pixels().len() {
+    if differ == 0 && pixels.len() == expected.len() {
         return Ok(());
     }
     Err(format!("{which} differs in {differ} pixels"))

@@ -1,14 +1,14 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
 use heliodon::accel::{Accelerator, Entry, SurfaceList};
-use heliodon::film::Film;
 pub(crate) use heliodon::film::{Encoding, Rounding, Transfer};
+use heliodon::film::{Film, Region};
 use heliodon::language::{Node, render_problems};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, Rejection, read_bytes};
-use heliodon::render::{Counts, drawn, render};
+use heliodon::render::{Counts, drawn, observed_part, render};
 use heliodon::scene::{Scene, Setting};
 use heliodon::surface::{Hit, Surface, classic};
 
@@ -147,6 +147,15 @@ impl Subject {
     /// The picture, and how many rays it took.
     pub(crate) fn picture(&self) -> Result<(Film, Counts), String> {
         render(self.scene, &|_| ()).map_err(|refusal| refusal.reason.to_string())
+    }
+
+    /// A part of the picture, from its upper left pixel to before its lower right one.
+    pub(crate) fn part(&self, from: [usize; 2], to: [usize; 2]) -> Result<Film, String> {
+        let corners = [from, to].map(|corner| corner.map(|side| u32::try_from(side).unwrap()));
+        Region::between(corners[0], corners[1])
+            .and_then(|part| observed_part::<Counts>(self.scene, Scope::CalledFor, part, &|_| ()))
+            .map(|(film, _)| film)
+            .map_err(|refusal| refusal.reason.to_string())
     }
 
     /// The picture with surfaces found in this way, and nothing left out.

@@ -134,6 +134,8 @@ pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2
                     "white",
                     "changes",
                     "same-as",
+                    "floor-from",
+                    "screen",
                     "mirror-rays",
                     "shadow-rays",
                     "transmitted-rays",
@@ -146,6 +148,7 @@ pub(crate) fn vocabulary() -> BTreeMap<&'static str, [&'static [&'static str]; 2
             [
                 &[
                     "in", "scaled", "moved", "zeros", "split", "into", "threads", "found-by",
+                    "parts",
                 ],
                 &[],
             ],

@@ -65,6 +65,8 @@ fn distance(surface: &dyn Surface, place: &Place) -> Option<f64> {
     let ray = place.ray();
     let hit = surface.hits(&ray, Span::AHEAD)?;
     let exact = truth::meets(surface, &ray)?;
+    let close = exact.share_of_error(hit.t, surface.error(&ray, &hit));
+    assert!(close <= 1.0, "{close} times the closer bound: {place:?}");
     Some(exact.share_of_error(hit.t, hit.error))
 }
 

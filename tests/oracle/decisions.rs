@@ -215,10 +215,11 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     };
     let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
         let list = SurfaceList::with(&surfaces, accelerator);
-        let view = LightView::all(&list, std::iter::once(end), false).remove(0);
+        let view = LightView::all(&list, std::iter::once(end), false, |_, _| true).remove(0);
         let before = view.before(&list.entries()[0]);
-        before.map_or(Rgb::WHITE, |before| {
-            before.transmittance(&hit, &segment, &mut 0)
+        let blockers = before.and_then(|before| before.blockers(&hit, &segment.ray));
+        blockers.map_or(Rgb::WHITE, |blockers| {
+            blockers.transmittance(&segment, &mut 0)
         })
     });
     if passed[0] != passed[1] {

@@ -102,6 +102,12 @@ fn points_of_rectangles_and_triangles_are_within_their_bound() {
             };
             met += 1;
             let exact = truth::crosses(flat, &ray).expect("it was met");
+            let close = surface.error(&ray, &hit);
+            let share = Distance::Quotient(exact.clone()).share_of_error(hit.t, close);
+            assert!(
+                share <= 1.0,
+                "{share} times the closer bound: {surface:?} {ray:?}"
+            );
             let slip = surface.slip() * hit.error;
             let Some(share) = share_of_rounding(&exact, &ray, hit.point, slip) else {
                 continue;

@@ -3,7 +3,7 @@
 use heliodon::film::Film;
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Certificate, Counts, Probe, observed};
+use heliodon::render::{Both, Certificate, Counts, Probe, observed};
 use heliodon::scene::Scene;
 
 const WIDTH: u64 = 75;
@@ -74,9 +74,10 @@ fn one_surface_is_drawn_as_if_each_ray_were_asked() {
                 let (film, counts) = drawn::<Counts>(&scene, Scope::CalledFor);
                 let (each, _) = drawn::<Counts>(&scene, Scope::Everything);
                 assert!(film == each, "{nodes}");
-                let (certified, certificate) = drawn::<Certificate>(&scene, Scope::CalledFor);
+                let (certified, Both(counted, _)) =
+                    drawn::<Both<Counts, Certificate>>(&scene, Scope::CalledFor);
                 assert!(film == certified, "{nodes}");
-                assert_eq!(counts, certificate.counts, "{nodes}");
+                assert_eq!(counts, counted, "{nodes}");
                 assert_eq!(counts.camera_rays, WIDTH * HEIGHT, "{nodes}");
                 assert!(counts.hit_tests <= WIDTH * HEIGHT, "{nodes}");
             }

@@ -16,17 +16,36 @@ pub struct Blame {
     pub dial: &'static str,
     /// The rung that was looked at.
     pub rung: String,
-    /// The share of all squared error that is in each kind of place, and the share of all pixels that
-    /// are such places; the largest error first, and none without error.
-    pub spots: Vec<(Spot, f64, f64)>,
-    /// The surface on which most of the error is, and its share.
-    pub surface: Option<(String, f64)>,
+    /// How much of it is in each kind of place; the most first, and none without error.
+    pub spots: Vec<SpotShare>,
+    /// The surface on which most of it is.
+    pub surface: Option<SurfaceShare>,
     /// Column and row of the pixel that is most off, counted from the top left, from 0.
     pub worst: [usize; 2],
     #[serde(skip)]
     index: Option<usize>,
     #[serde(skip)]
     error: f64,
+}
+
+/// How much of the error is in a kind of place.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SpotShare {
+    /// What is there.
+    pub spot: Spot,
+    /// The share of all squared error.
+    pub error: f64,
+    /// The share of all pixels.
+    pub pixels: f64,
+}
+
+/// How much of the error is on a surface.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SurfaceShare {
+    /// The surface's kind and name.
+    pub title: String,
+    /// The share of all squared error.
+    pub error: f64,
 }
 
 impl Blame {
@@ -60,15 +79,19 @@ impl Blame {
         };
         let error_in = |spot| share(&|at| spots.spots[at] == spot);
         let mut kinds = Spot::ALL
-            .map(|spot| (spot, error_in(spot), pixels(spot)))
+            .map(|spot| SpotShare {
+                spot,
+                error: error_in(spot),
+                pixels: pixels(spot),
+            })
             .to_vec();
-        kinds.retain(|(_, error, _)| *error > 0.0);
-        kinds.sort_by(|(_, one, _), (_, other, _)| other.total_cmp(one));
+        kinds.retain(|share| share.error > 0.0);
+        kinds.sort_by(|one, other| other.error.total_cmp(&one.error));
         let seen = spots.surfaces.iter().flatten().max();
         let mut by_surface = vec![0.0; seen.map_or(0, |most| most + 1)];
         for (surface, error) in spots.surfaces.iter().zip(&errors) {
             if let Some(surface) = surface {
-                by_surface[*surface] += error / all;
+                by_surface[*surface] += error;
             }
         }
         let most = by_surface.iter().enumerate();
@@ -79,7 +102,10 @@ impl Blame {
             dial,
             rung: rung.to_owned(),
             spots: kinds,
-            surface: most.map(|(_, share)| (String::new(), *share)),
+            surface: most.map(|(_, share)| SurfaceShare {
+                title: String::new(),
+                error: *share / all,
+            }),
             worst: [worst % spots.width, worst / spots.width],
             index: most.map(|(surface, _)| surface),
             error: all,
@@ -97,8 +123,8 @@ pub(super) fn all(rungs: &[Measured], scene: &Scene) -> Vec<Blame> {
     let blames = DIALS.iter().filter_map(|dial| of_dial(dial.word)).cloned();
     blames
         .map(|mut blame| {
-            if let (Some((title, _)), Some(index)) = (&mut blame.surface, blame.index) {
-                *title = Cause::of_surface(&*scene.surfaces[index]).title;
+            if let (Some(share), Some(index)) = (&mut blame.surface, blame.index) {
+                share.title = Cause::of_surface(&*scene.surfaces[index]).title;
             }
             blame
         })

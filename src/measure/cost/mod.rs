@@ -16,7 +16,7 @@ mod reference;
 mod spots;
 mod table;
 
-pub use blame::Blame;
+pub use blame::{Blame, SpotShare, SurfaceShare};
 pub use choice::{Best, Limit, Metric};
 pub use dial::{DIALS, Dial};
 pub use ladder::{Ladder, Rung, Variation};
@@ -62,7 +62,7 @@ pub struct Cost {
 /// on all threads of the current pool, after one run that is not counted; and compares them with a
 /// reference, the best picture that there is if none is given.
 ///
-/// The scene's picture has its own settings again afterwards. `pictures` asks for the pictures of
+/// The scene's picture has its own settings whenever nothing is drawn. `pictures` asks for the pictures of
 /// all rungs. `progress` is told how many of how many steps are done.
 ///
 /// # Errors
@@ -75,21 +75,7 @@ pub fn cost(
     pictures: bool,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Cost, Refusal> {
-    let base = scene.picture;
-    let measured = climbed(scene, ladder, reference, runs.max(1), pictures, progress);
-    scene.picture = base;
-    measured
-}
-
-fn climbed(
-    scene: &mut Scene,
-    ladder: &Ladder,
-    reference: Option<Reference>,
-    runs: u32,
-    pictures: bool,
-    progress: &dyn Fn(usize, usize),
-) -> Result<Cost, Refusal> {
-    let base = scene.picture;
+    let (base, runs) = (scene.picture, runs.max(1));
     // The reference and the best of each dial are about as much work as one run.
     let steps = (runs as usize + 1) * ladder.0.len();
     let truth = Truth {
@@ -172,10 +158,12 @@ fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>,
     Ok(twins)
 }
 
-/// Draws a scene with other settings of its picture.
+/// Draws a scene with other settings of its picture, and gives it back its own.
 fn draw(scene: &mut Scene, picture: Picture) -> Result<(Film, Counts), Refusal> {
-    scene.picture = picture;
-    observed(scene, Scope::CalledFor, &|_| ())
+    let own = std::mem::replace(&mut scene.picture, picture);
+    let drawn = observed(scene, Scope::CalledFor, &|_| ());
+    scene.picture = own;
+    drawn
 }
 
 /// The effects that are simulated in a scene.

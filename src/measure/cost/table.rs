@@ -3,7 +3,7 @@
 use std::fmt;
 use std::fmt::Write;
 
-use super::{Best, Blame, Cost, Law, Measured, Trade, chart};
+use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
 use crate::measure::Timing;
 
 impl fmt::Display for Cost {
@@ -141,11 +141,12 @@ impl Blame {
         let spots = self
             .spots
             .iter()
-            .filter(|(_, error, _)| *error >= 0.01)
+            .filter(|share| share.error >= 0.01)
             .take(3);
-        for (number, (spot, error, pixels)) in spots.enumerate() {
+        for (number, share) in spots.enumerate() {
             let comma = if number == 0 { " " } else { ", " };
-            let (error, pixels) = (percent(*error), percent(*pixels));
+            let [error, pixels] = [share.error, share.pixels].map(percent);
+            let spot = share.spot;
             let of = if number == 0 {
                 " of its squared error"
             } else {
@@ -154,8 +155,8 @@ impl Blame {
             let all = if number == 0 { " of all pixels" } else { "" };
             text += &format!("{comma}{} ({error}{of} in {pixels}{all})", spot.words());
         }
-        if let Some((title, share)) = &self.surface {
-            text += &format!("; {} on {title}", percent(*share));
+        if let Some(SurfaceShare { title, error }) = &self.surface {
+            text += &format!("; {} on {title}", percent(*error));
         }
         let [column, row] = self.worst;
         text + &format!("; worst at pixel {column},{row}")

@@ -1,0 +1,136 @@
+//! Which surfaces any ray can meet.
+
+use serde::Serialize;
+
+use crate::accel::Sight;
+use crate::camera::Camera;
+use crate::math::band::APART;
+use crate::math::{Flat, Point, Side};
+use crate::scene::{Picture, Scene};
+use crate::surface::Surface;
+
+/// How a ray can come to meet a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Seen {
+    /// From the eye.
+    Directly,
+    /// Sent on by mirrors or through surfaces, but not from the eye.
+    SentOn,
+    /// Not at all.
+    Never,
+}
+
+/// The most pairs of one that sends rays on and another surface that are looked at; of more, every
+/// surface is taken for one that can be met.
+const MOST_PAIRS: usize = 1 << 20;
+
+impl Seen {
+    /// How rays can meet each surface of a scene: from the eye where the camera sees it, and from
+    /// surfaces that send rays on. Without `sight` all are taken to be in sight.
+    ///
+    /// A flat surface mirrors rays to the side that they come from, and lets them through to the other
+    /// one; what lies wholly on the side to which none go is not met by them. Something round
+    /// sends rays anywhere.
+    pub(super) fn all(scene: &Scene, sight: Option<&Sight<'_>>, camera: &Camera) -> Vec<Self> {
+        let Picture { width, height, .. } = scene.picture;
+        let count = scene.surfaces.len();
+        let Some(sight) = sight else {
+            return vec![Self::Directly; count];
+        };
+        let in_sight = sight.seen([width, height], count);
+        let mut seen: Vec<_> = in_sight
+            .into_iter()
+            .map(|seen| if seen { Self::Directly } else { Self::Never })
+            .collect();
+        let senders = scene.surfaces.iter().map(|surface| sends_on(&**surface));
+        if senders.filter(|sends| *sends).count() * count > MOST_PAIRS {
+            for seen in seen.iter_mut().filter(|seen| **seen == Self::Never) {
+                *seen = Self::SentOn;
+            }
+            return seen;
+        }
+        let eye = Point::exact(camera.viewpoint());
+        // The flat surfaces that rays arrive at, and the sides that they arrive from.
+        let mut arrivals = Vec::new();
+        let mut arrived = vec![[false; 2]; count];
+        let mut arrive = |index: usize, side: Side, arrivals: &mut Vec<_>| {
+            let known = &mut arrived[index][usize::from(side == Side::Back)];
+            if sends_on(&*scene.surfaces[index]) && !std::mem::replace(known, true) {
+                arrivals.push((index, side));
+            }
+        };
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            for side in SIDES {
+                let is_here = surface.flat().is_none() || surface.side(&eye) != other(side);
+                if seen[index] == Self::Directly && is_here {
+                    arrive(index, side, &mut arrivals);
+                }
+            }
+        }
+        while let Some((from, side)) = arrivals.pop() {
+            let sender = &*scene.surfaces[from];
+            for (index, surface) in scene.surfaces.iter().enumerate() {
+                let goes = |to: Side| can_go(sender, side, to, &**surface);
+                if index == from || !SIDES.into_iter().any(goes) {
+                    continue;
+                }
+                if seen[index] == Self::Never {
+                    seen[index] = Self::SentOn;
+                }
+                for side in SIDES {
+                    let flat = surface.flat();
+                    if flat.is_none_or(|flat| !is_beyond(sender, flat, other(side))) {
+                        arrive(index, side, &mut arrivals);
+                    }
+                }
+            }
+        }
+        seen
+    }
+
+    /// Whether any ray can meet it.
+    #[must_use]
+    pub fn is_seen(self) -> bool {
+        self != Self::Never
+    }
+}
+
+const SIDES: [Side; 2] = [Side::Front, Side::Back];
+
+fn other(side: Side) -> Side {
+    side.opposite().unwrap_or(side)
+}
+
+fn sends_on(surface: &dyn Surface) -> bool {
+    surface.common().material.sends_on()
+}
+
+/// Whether a ray that arrives at a surface from one side can go on to one, and meet another surface there.
+fn can_go(sender: &dyn Surface, from: Side, to: Side, surface: &dyn Surface) -> bool {
+    let Some(flat) = sender.flat() else {
+        return true;
+    };
+    let material = &sender.common().material;
+    let goes = if from == to {
+        material.mirrors()
+    } else {
+        material.transparency > 0.0
+    };
+    goes && !is_beyond(surface, flat, other(to))
+}
+
+/// Whether all of a surface lies strictly on this side of a plane, for certain: further from it, seen
+/// from anywhere on its way, than rounding can lead a ray astray.
+fn is_beyond(surface: &dyn Surface, flat: &Flat, side: Side) -> bool {
+    let Some(bounds) = surface.bounds() else {
+        return false;
+    };
+    let base = Point::exact(flat.point).size();
+    bounds.corners().into_iter().all(|corner| {
+        let (way, size) = Point::exact(corner).seen_from(flat.point);
+        let height = flat.normal.dot(way);
+        let height = if side == Side::Front { height } else { -height };
+        height > APART * (base + size) + flat.slack()
+    })
+}
