@@ -32,8 +32,6 @@ pub(crate) struct Case {
     pub(crate) truth: String,
     /// What else there is to say.
     pub(crate) remark: Option<String>,
-    /// The feature that it waits for.
-    pub(crate) later: Option<String>,
     /// The scenes by name; the first one is meant where no name is given.
     scenes: Vec<(String, String)>,
     /// What is asked of them.
@@ -130,13 +128,12 @@ impl Case {
                 [name, text] => (name.clone(), text.clone()),
                 other => panic!("{id}: a scene with {} values", other.len()),
             });
-        const ABOUT: [&str; 6] = ["title", "why", "truth", "remark", "later", "scene"];
+        const ABOUT: [&str; 5] = ["title", "why", "truth", "remark", "scene"];
         Self {
             title: required("title"),
             why: required("why"),
             truth: required("truth"),
             remark: one("remark"),
-            later: one("later"),
             scenes: scenes.collect(),
             questions: {
                 let children = node.children.iter();

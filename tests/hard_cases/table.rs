@@ -18,8 +18,6 @@ pub(crate) enum Outcome {
     Pass,
     /// What is wrong with the answers.
     Fail(Vec<String>),
-    /// It was not asked.
-    NotAsked,
 }
 
 /// What every case gave, in the order of the back ends.
@@ -35,9 +33,6 @@ pub(crate) fn run(cases: Vec<Case>) -> Vec<Row> {
 }
 
 fn outcome(case: &Case, back_end: BackEnd) -> Outcome {
-    if case.later.is_some() {
-        return Outcome::NotAsked;
-    }
     let complaints = case.questions.iter().filter_map(|question| {
         let answer = catch_unwind(AssertUnwindSafe(|| answer(question, case, back_end)));
         let answer = answer.unwrap_or_else(|panic| {
@@ -174,19 +169,8 @@ pub(crate) fn table(rows: &[Row]) -> String {
         let words = outcomes.each_ref().map(|outcome| match outcome {
             Outcome::Pass => "pass",
             Outcome::Fail(_) => "**fail**",
-            Outcome::NotAsked if case.later.is_some() => "later",
-            Outcome::NotAsked => "–",
         });
-        let later = case
-            .later
-            .as_ref()
-            .map(|feature| format!("Waits for {feature}."));
-        let remark = later
-            .iter()
-            .chain(&case.remark)
-            .cloned()
-            .collect::<Vec<_>>()
-            .join(" ");
+        let remark = case.remark.as_deref().unwrap_or_default();
         let cells = [&case.id, &case.title, &case.truth].map(|cell| cell.replace('|', "\\|"));
         // Writing to a String cannot fail.
         let _ = writeln!(
@@ -200,12 +184,7 @@ pub(crate) fn table(rows: &[Row]) -> String {
 }
 
 fn totals(rows: &[Row]) -> String {
-    let later = rows.iter().filter(|(case, _)| case.later.is_some()).count();
-    let asked = rows.len() - later;
-    let mut lines = vec![format!(
-        "{} cases, of which {later} wait for a feature and {asked} are asked:\n",
-        rows.len()
-    )];
+    let mut lines = vec![format!("{} cases:\n", rows.len())];
     lines.push("| | pass | fail |\n|---|---|---|".to_owned());
     for (index, back_end) in BackEnd::ALL.into_iter().enumerate() {
         let count = |wanted: fn(&Outcome) -> bool| {
