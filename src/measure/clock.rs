@@ -14,6 +14,9 @@ pub struct Timing {
     pub deviation: Option<f64>,
 }
 
+/// The share of a time up to which nobody can tell it from another.
+const SETTLED: f64 = 0.02;
+
 impl Timing {
     /// What these runs took, in seconds; zero without any.
     #[must_use]
@@ -35,18 +38,19 @@ impl Timing {
     /// Whether more runs would tell little: the deviation is known and no more than a fiftieth.
     #[must_use]
     pub fn has_settled(self) -> bool {
-        const SHARE: f64 = 0.02;
         let deviation = self.deviation;
-        deviation.is_some_and(|deviation| deviation <= SHARE * self.median)
+        deviation.is_some_and(|deviation| deviation <= SETTLED * self.median)
     }
 
-    /// Whether this and another are no further apart than their deviations; not known of a single
-    /// run.
+    /// Whether this and another are no further apart than their deviations, or than a fiftieth, for a
+    /// few runs may agree by chance; not known of a single run.
     #[must_use]
     pub fn is_like(self, other: Self) -> bool {
         let deviations = self.deviation.zip(other.deviation);
-        deviations
-            .is_some_and(|(this, other_one)| (self.median - other.median).abs() <= this + other_one)
+        deviations.is_some_and(|(this, other_one)| {
+            let least = SETTLED * self.median.min(other.median);
+            (self.median - other.median).abs() <= least.max(this + other_one)
+        })
     }
 }
 
@@ -110,5 +114,10 @@ mod tests {
         };
         assert!(of(3.0, 0.5).is_like(of(4.0, 0.5)));
         assert!(!of(3.0, 0.5).is_like(of(4.0, 0.25)));
+        assert!(
+            of(3.0, 0.0).is_like(of(3.05, 0.0)),
+            "two runs agree by chance"
+        );
+        assert!(!of(3.0, 0.0).is_like(of(3.07, 0.0)));
     }
 }
