@@ -67,8 +67,28 @@ impl<'a> Adaptive<'a> {
         })
     }
 
-    /// Draws a part of the picture.
+    /// Draws a part of the picture, in pieces that are not so wide that much has to be kept in mind.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
+        const WIDEST: usize = 256;
+        let [left, top, right, _] = part.corners();
+        for left in (left..right).step_by(WIDEST) {
+            let piece = Region {
+                left,
+                width: WIDEST.min(right - left),
+                ..part
+            };
+            self.draw_piece(piece, probe, |[column, row], color| {
+                pixels[(row - top) * part.width + column - part.left] = color;
+            });
+        }
+    }
+
+    fn draw_piece(
+        &self,
+        part: Region,
+        probe: &mut impl Probe,
+        mut paint: impl FnMut([usize; 2], Rgb),
+    ) {
         let size = [self.picture.width, self.picture.height];
         let wide = part.grown_within(size);
         let outlines = self.outlines.over(wide);
@@ -79,11 +99,11 @@ impl<'a> Adaptive<'a> {
         let pilot = |[column, row]: [usize; 2]| {
             &pilots[(row - wide.top) * wide.width + (column - wide.left)]
         };
-        for (place, pixel) in part.places().zip(pixels) {
+        for place in part.places() {
             let own = *pilot(place);
             let around = Region::around(place, size).places().map(pilot);
             let around = around.fold(own.range, |all, it| all.and(it.range));
-            *pixel = self.refined(own, around, place, probe);
+            paint(place, self.refined(own, around, place, probe));
         }
     }
 
