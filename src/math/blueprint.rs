@@ -29,6 +29,8 @@ pub struct Border {
     pub along: RationalVector,
     /// How far the border lies from `point`.
     pub across: RBig,
+    /// Where it begins and ends, as seen from `point` and in lengths of `along`.
+    pub stretch: [RBig; 2],
 }
 
 impl Blueprint {
@@ -55,16 +57,20 @@ impl Blueprint {
             normal: frame.normal,
             borders: Vec::new(),
         };
-        let border = |along: &RationalVector, sign: i8, across: f64| Border {
-            point: plane.point.clone(),
-            along: along.times(&RBig::from(sign)),
-            across: decimal(across),
+        let border = |along: &RationalVector, sign: i8, across: f64, length: f64| {
+            let end = decimal(length) / along.length().0;
+            Border {
+                point: plane.point.clone(),
+                along: along.times(&RBig::from(sign)),
+                across: decimal(across),
+                stretch: [RBig::ZERO, end * RBig::from(sign)],
+            }
         };
         let borders = vec![
-            border(&frame.y, 1, 0.0),
-            border(&frame.y, -1, size.x),
-            border(&frame.x, -1, 0.0),
-            border(&frame.x, 1, size.y),
+            border(&frame.y, 1, 0.0, size.y),
+            border(&frame.y, -1, size.x, size.y),
+            border(&frame.x, -1, 0.0, size.x),
+            border(&frame.x, 1, size.y, size.x),
         ];
         Self { borders, ..plane }
     }
@@ -83,6 +89,7 @@ impl Blueprint {
             point: from.clone(),
             along: from - next(index),
             across: RBig::ZERO,
+            stretch: [RBig::ZERO, -RBig::ONE],
         };
         Self {
             normal: (next(0) - &corners[0]).cross(&(next(1) - &corners[0])),

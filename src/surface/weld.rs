@@ -52,13 +52,16 @@ struct Member {
     border: usize,
     /// Whether normal or border point along the direction that the group shares.
     forward: bool,
+    /// Where a border begins and ends along that direction.
+    stretch: [RBig; 2],
 }
 
 /// Lets surfaces that share a plane or a border line decide by the same numbers.
 ///
 /// Lines that surfaces meet from both sides are owned by those on one side, so that a ray
 /// through the line meets exactly one of two neighbours, of four around a corner, of three at a
-/// T-junction.
+/// T-junction. A border that is not beside neighbours all along stays with its surface, or rays would
+/// pass where it has none.
 pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
     let blueprints: Vec<_> = surfaces.iter().map(|surface| surface.blueprint()).collect();
     let mut welds = Vec::new();
@@ -90,10 +93,10 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
                 continue;
             };
             let decisive = own(&first);
-            for member in &line {
+            for (member, owned) in line.iter().zip(owners(&line)) {
                 let same_front = fronts.get(&member.surface) == fronts.get(&first.surface);
                 let mut own = decisive.for_neighbor(same_front, member.forward == first.forward);
-                own.owned = member.forward;
+                own.owned = owned;
                 let count = surfaces[member.surface].borders().len();
                 let all = borders
                     .entry(member.surface)
@@ -164,7 +167,7 @@ fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>>
     let (normal, _) = first.normal.canonical();
     directions.grouped(|direction, members| {
         let (outer, flipped) = normal.cross(direction).canonical();
-        let (length, _) = outer.length();
+        let [(length, _), (unit, _)] = [outer.length(), direction.length()];
         for member in members {
             let Some(blueprint) = &blueprints[member.surface] else {
                 continue;
@@ -175,8 +178,56 @@ fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>>
             member.position = outer.dot(&line.point) / &length + &across;
             member.magnitude = line.point.largest() + across.to_f64().value().abs();
             member.single = outer.is_along_an_axis() && across.is_zero();
+            let ends = line.stretch.each_ref();
+            let places = ends.map(|share| &line.point + &line.along.times(share));
+            member.stretch = places.map(|place| direction.dot(&place) / &unit);
+            member.stretch.sort();
         }
     })
+}
+
+/// Whether the borders on a line belong to their surfaces: those on one side do, and those on the other
+/// that are not beside them all along. So where tiles meet in a point it belongs to one of them at least.
+fn owners(line: &[Member]) -> Vec<bool> {
+    let places = line.iter().flat_map(|member| &member.stretch);
+    let sizes = places.map(|place| place.to_f64().value().abs());
+    let magnitudes = line.iter().map(|member| member.magnitude);
+    let tolerance = tolerance(magnitudes.chain(sizes).fold(0.0, f64::max));
+    let neighbors = joined(line, &tolerance);
+    let owned = |one: &Member| one.forward || !is_covered(one, &neighbors, &tolerance);
+    line.iter().map(owned).collect()
+}
+
+/// The stretches of the forward borders in their order along the line; those that touch are one.
+fn joined(line: &[Member], tolerance: &RBig) -> Vec<[RBig; 2]> {
+    let forward = line.iter().filter(|border| border.forward);
+    let mut stretches: Vec<_> = forward.map(|border| border.stretch.clone()).collect();
+    stretches.sort();
+    let mut joined: Vec<[RBig; 2]> = Vec::new();
+    for [begin, end] in stretches {
+        match joined.last_mut() {
+            Some([_, last]) if begin <= &*last + tolerance => {
+                if end > *last {
+                    *last = end;
+                }
+            }
+            _ => joined.push([begin, end]),
+        }
+    }
+    joined
+}
+
+/// Whether a border runs beside one of these stretches all along.
+fn is_covered(border: &Member, stretches: &[[RBig; 2]], tolerance: &RBig) -> bool {
+    let [begin, end] = &border.stretch;
+    let later = stretches.partition_point(|[first, _]| *first <= begin + tolerance);
+    let beside = later.checked_sub(1).and_then(|index| stretches.get(index));
+    beside.is_some_and(|[_, last]| *end <= last + tolerance)
+}
+
+/// How far apart positions may be and still be one, if this is the largest coordinate in them.
+fn tolerance(magnitude: f64) -> RBig {
+    decimal(magnitude.next_up() - magnitude) * RBig::from(ULPS)
 }
 
 /// Members by the directions that they share, in the order in which those appear.
@@ -247,6 +298,7 @@ impl Member {
             surface,
             border,
             forward,
+            stretch: [RBig::ZERO, RBig::ZERO],
         }
     }
 
@@ -259,8 +311,7 @@ impl Member {
         if self.single && other.single {
             return false;
         }
-        let largest = self.magnitude.max(other.magnitude);
-        let tolerance = decimal(largest.next_up() - largest) * RBig::from(ULPS);
+        let tolerance = tolerance(self.magnitude.max(other.magnitude));
         apart <= tolerance && -&apart <= tolerance
     }
 }

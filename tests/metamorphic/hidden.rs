@@ -116,3 +116,30 @@ fn no_wall_in_the_plane_of_an_earlier_one_changes_it() {
         difference(&title, &film(&room), &last.film())
     }));
 }
+
+/// A room whose right edge, from back to front, is aimed at by a column of pixels, and two sheets in the
+/// planes of the walls there, on the same lines but far above the room.
+#[test]
+fn walls_keep_their_edges_beside_neighbours_elsewhere_on_the_line() {
+    let room = r#"
+        image 41 41
+        camera { viewpoint 5 5 10; screen 10 10 }
+        lighting { view-falloff "none" }
+        material "white" { ambient 1 }
+        finite-plane { material "white"; point 0 0 -10; normal 0 0 1; xdir 1 0 0; dimensions 10 10 }
+        finite-plane { material "white"; point 0 0 0; normal 0 1 0; xdir 1 0 0; dimensions 10 10 }
+        finite-plane { material "white"; point 0 10 -10; normal 0 -1 0; xdir 1 0 0; dimensions 10 10 }
+        finite-plane { material "white"; point 0 0 0; normal 1 0 0; xdir 0 0 -1; dimensions 10 10 }
+        finite-plane { material "white"; point 10 0 -10; normal -1 0 0; xdir 0 0 1; dimensions 10 10 }"#;
+    for (side, sheet) in [("left", 0.0), ("right", 10.0)] {
+        let along = if side == "left" { -5.0 } else { 10.0 };
+        let sheets = format!(
+            r#"
+        finite-plane {{ material "white"; point {sheet} 20 -10; normal 1 0 0; xdir 0 0 -1; dimensions 5 5 }}
+        finite-plane {{ material "white"; point {along} 20 -10; normal 0 0 1; xdir 1 0 0; dimensions 5 5 }}"#
+        );
+        let expected = Subject::new("room", room).film();
+        let film = Subject::new("room", &format!("{room}{sheets}")).film();
+        fail_on(difference(side, &expected, &film));
+    }
+}
