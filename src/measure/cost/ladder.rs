@@ -48,7 +48,15 @@ impl Variation {
                 step => format!("{step:?} is no {word}: {expected}"),
             })
         });
-        Ok(Self(settings.collect::<Result<_, _>>()?))
+        let settings = settings.collect::<Result<_, _>>()?;
+        if Dial::of(word).is_none() {
+            let dials: Vec<_> = Dial::all().map(|dial| dial.word).collect();
+            return Err(format!(
+                "no {word} is more accurate than another; expected one of {} before =",
+                dials.join(", ")
+            ));
+        }
+        Ok(Self(settings))
     }
 }
 
@@ -65,7 +73,8 @@ impl Ladder {
             for step in dial.steps {
                 let setting = Setting::new(dial.word, step).ok();
                 // What cannot be combined is no step of this ladder.
-                let _ = ladder.add(base, beside.iter().cloned().chain(setting).collect());
+                let settings = beside.iter().cloned().chain(setting).collect();
+                let _ = ladder.add(base, Some(dial.word), settings);
             }
         }
         ladder
@@ -78,7 +87,7 @@ impl Ladder {
     pub fn of_each(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
         let mut ladder = Self::starting_at(base);
         for setting in variations.iter().flat_map(|variation| &variation.0) {
-            ladder.add(base, vec![setting.clone()])?;
+            ladder.add(base, Some(setting.word()), vec![setting.clone()])?;
         }
         Ok(ladder)
     }
@@ -99,7 +108,11 @@ impl Ladder {
         }
         let mut ladder = Self::starting_at(base);
         for settings in combinations {
-            ladder.add(base, settings)?;
+            let alone = match settings.as_slice() {
+                [alone] => Some(alone.word()),
+                _ => None,
+            };
+            ladder.add(base, alone, settings)?;
         }
         Ok(ladder)
     }
@@ -114,20 +127,18 @@ impl Ladder {
         }])
     }
 
-    /// Adds a rung, unless one gives the same picture.
-    fn add(&mut self, base: Picture, settings: Vec<Setting>) -> Result<(), Refusal> {
+    /// Adds a rung, which turns this dial alone if any, unless another gives the same picture.
+    fn add(
+        &mut self,
+        base: Picture,
+        dial: Option<&'static str>,
+        settings: Vec<Setting>,
+    ) -> Result<(), Refusal> {
         let with = |picture: Picture, setting| picture.with(setting);
         let rung = Rung {
             label: label(&settings),
             picture: settings.iter().fold(base, with),
-            dial: match settings.as_slice() {
-                [] => None,
-                [alone] => Some(alone.word()),
-                [.., last] => Dial::of(last.word())
-                    .filter(|dial| dial.beside.len() + 1 == settings.len())
-                    .filter(|dial| !dial.beside.is_empty())
-                    .map(|dial| dial.word),
-            },
+            dial,
             also: Vec::new(),
             settings,
         };
@@ -207,6 +218,11 @@ mod tests {
             "samples=4 numerics=robust",
         ];
         assert_eq!(labels(&all), expected);
+        let variations = ["samples=4", "pattern=grid,random"];
+        let variations = variations.map(|text| Variation::new(text).expect("a variation"));
+        let all = Ladder::of_all(base(), &variations).expect("a ladder");
+        let turned = all.0.iter().map(|rung| rung.dial);
+        assert!(turned.eq([None; 3]), "no dial is turned alone");
     }
 
     #[test]
@@ -219,6 +235,10 @@ mod tests {
                 "\"0\" is no samples: expected a whole number from 1",
             ),
             ("samples=1,,4", "between the commas"),
+            (
+                "transfer=srgb",
+                "no transfer is more accurate than another; expected one of samples, ",
+            ),
             (
                 "numerics=f32",
                 "\"f32\" is no numerics: expected \"robust\"",
