@@ -181,6 +181,10 @@ fn exit_codes_answer() {
     assert_eq!(code(&["--reference", "none.png"]), Some(4));
     assert_eq!(code(&["--csv", "scene.kdl"]), Some(2));
     assert_eq!(code(&["--csv", "a", "--plot", "a"]), Some(2));
+    assert_eq!(code(&["--csv", "a", "--plot", "./a"]), Some(2));
+    assert_eq!(code(&["--csv", "-"]), Some(2), "the table is there");
+    assert_eq!(code(&["--report", "."]), Some(4));
+    assert_eq!(code(&["--vary", "transfer=srgb"]), Some(2));
     assert_eq!(code(&["--csv", "no/such.csv"]), Some(4));
     assert_eq!(run(&folder, &["--grid"]).status.code(), Some(2));
 }
