@@ -84,6 +84,26 @@ fn pixels_tell_their_stories() {
 }
 
 #[test]
+fn a_pixel_is_told_in_the_numbers_that_its_file_holds() {
+    for (depth, numbers) in [
+        ("8", "176 116 61"),
+        ("\"16\"", "45275 29784 15653"),
+        ("float", "0.690846"),
+    ] {
+        let text = fs::read_to_string("scenes/room.kdl").expect("the room");
+        let (first, rest) = text.split_once("image 800 600").expect("its picture");
+        let text = format!("{first}image 800 600 depth={depth}{rest}");
+        let textures = format!("{}/textures/", env!("CARGO_MANIFEST_DIR"));
+        let file = format!("{}/deep-room.kdl", env!("CARGO_TARGET_TMPDIR"));
+        fs::write(&file, text.replace("../textures/", &textures)).expect("a file");
+        let (text, told, code) = said(&["explain", &file, "--pixel", "400,500"]);
+        assert_eq!(code, 0, "{told}");
+        let expected = format!("0.6908 0.4545 0.2389, in the picture {numbers}");
+        assert!(text.contains(&expected), "{text}");
+    }
+}
+
+#[test]
 fn json_keeps_to_its_schema() {
     let schema = fs::read_to_string("docs/explain.schema.json").expect("the schema");
     let schema: Value = serde_json::from_str(&schema).expect("JSON");

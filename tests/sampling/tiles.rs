@@ -99,7 +99,9 @@ fn drawn(scene: &Scene, part: Region, threads: &ThreadPool) -> (Vec<[u64; 3]>, V
     threads.install(|| {
         let film = observed_part::<Counts>(scene, Scope::CalledFor, part, &|_| ());
         let (film, _) = film.expect("a possible camera");
-        let format = Format::Ppm;
+        let mut formats = Format::ALL.into_iter();
+        let format = formats.find(|format| format.depth() == scene.picture.depth);
+        let format = format.expect("a format for each depth");
         let print = printed_part::<Counts>(scene, Scope::CalledFor, part, format, &|_| ());
         let (print, _): (Print, _) = print.expect("a possible camera");
         let pixels = film.pixels().iter();
