@@ -120,6 +120,10 @@ impl<P: Probe + ?Sized> Probe for &mut P {
         (**self).follows_errors()
     }
 
+    fn only_counts(&self) -> bool {
+        (**self).only_counts()
+    }
+
     fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
         (**self).met(surface, hit, errors);
     }
@@ -310,5 +314,25 @@ impl Sum for Counts {
             }
             sum
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Both, Certificate};
+
+    #[test]
+    fn what_an_onlooker_asks_for_does_not_depend_on_who_keeps_it() {
+        /// As the tracer asks, of what somebody lends it.
+        fn asks_for(probe: &mut impl Probe) -> [bool; 2] {
+            [probe.only_counts(), probe.follows_errors()]
+        }
+        let (mut counts, mut certificate) = (Counts::default(), Certificate::default());
+        assert_eq!(asks_for(&mut counts), [true, false]);
+        assert_eq!(asks_for(&mut &mut counts), [true, false]);
+        assert_eq!(asks_for(&mut Both(&mut counts, ())), [true, false]);
+        assert_eq!(asks_for(&mut certificate), [false, true]);
+        assert_eq!(asks_for(&mut Both(counts, certificate)), [false, true]);
     }
 }
