@@ -44,6 +44,11 @@ impl<A: Probe, B: Probe> Probe for Both<A, B> {
         self.1.own_color(color, of_lamps);
     }
 
+    fn own_share(&mut self, share: f64) {
+        self.0.own_share(share);
+        self.1.own_share(share);
+    }
+
     fn came_back(&mut self, color: Rgb) {
         self.0.came_back(color);
         self.1.came_back(color);

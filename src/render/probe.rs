@@ -86,6 +86,9 @@ pub trait Probe {
     /// What the surface itself sends back to the eye, faded: its ambient colour, and that of all
     /// lights and lamps; and what of it the lamps give, or the lamp that the surface is.
     fn own_color(&mut self, _color: Rgb, _of_lamps: Rgb) {}
+    /// Only this share of that counts, since the surface mirrors the rest of the light or lets it
+    /// through.
+    fn own_share(&mut self, _share: f64) {}
     /// That ray comes back with this colour, before its surface takes its share.
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
@@ -134,6 +137,10 @@ impl<P: Probe + ?Sized> Probe for &mut P {
 
     fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
         (**self).own_color(color, of_lamps);
+    }
+
+    fn own_share(&mut self, share: f64) {
+        (**self).own_share(share);
     }
 
     fn came_back(&mut self, color: Rgb) {
