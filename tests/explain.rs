@@ -261,6 +261,45 @@ fn a_light_in_the_very_place_that_it_would_light_is_told() {
     assert!(text.contains(line), "{text}");
 }
 
+/// A row of that many balls, of which some lie in the picture.
+fn balls(count: usize, picture: &str) -> String {
+    let mut text = format!(
+        "image 40 30 {picture}\ncamera {{ viewpoint 0 0 9; look-at 0 0 0 }}\n\
+         material \"chalk\" {{ ambient 1 }}\n"
+    );
+    for number in 0..count {
+        text += &format!("sphere {{ material \"chalk\"; center {number} 0 0; radius 0.4 }}\n");
+    }
+    text
+}
+
+#[test]
+fn what_is_counted_for_a_small_picture_is_what_rendering_takes() {
+    let scene = format!("{}/one-ball.kdl", env!("CARGO_TARGET_TMPDIR"));
+    fs::write(&scene, balls(1, "")).expect("a scene");
+    let counts = |more: &[&str]| {
+        let arguments = [&["explain", &scene, "--json"], more].concat();
+        answer(&arguments)["work"]["counts"].clone()
+    };
+    assert_eq!(counts(&[]), counts(&["--measure"]));
+}
+
+#[test]
+fn no_tree_is_promised_to_classic_numerics() {
+    let scene = format!("{}/many-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
+    for (picture, says) in [
+        ("", "found by a tree; a tree pays from 129 surfaces on"),
+        (
+            "numerics=\"classic\"",
+            "found by a list; numerics \"classic\" have no tree",
+        ),
+    ] {
+        fs::write(&scene, balls(129, picture)).expect("a scene");
+        let (text, _, _) = said(&["explain", &scene]);
+        assert!(text.contains(says), "{text}");
+    }
+}
+
 #[test]
 fn a_pixel_outside_of_the_picture_is_refused() {
     let (_, error, code) = said(&["explain", "scenes/room.kdl", "--pixel", "800,0"]);
