@@ -1,6 +1,7 @@
 //! Which settings are tried.
 
 use super::Dial;
+use crate::film::{Depth, Rounding};
 use crate::language::Refusal;
 use crate::plan::Effect;
 use crate::scene::{Picture, Setting};
@@ -144,7 +145,8 @@ impl Ladder {
         };
         rung.picture.check()?;
         let same = |other: &Rung| {
-            other.picture == rung.picture && other.is_as_written() == rung.is_as_written()
+            let [one, two] = [other, &rung].map(|it| (seen(it.picture), it.is_as_written()));
+            one == two
         };
         match self.0.iter().position(same) {
             // The scene as it is, is a step of all dials without that.
@@ -162,6 +164,18 @@ impl Rung {
     pub fn is_as_written(&self) -> bool {
         let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
         dials.flatten().any(|dial| dial.in_writing)
+    }
+}
+
+/// The settings that can be seen in a picture: floats are not rounded to code values.
+fn seen(picture: Picture) -> Picture {
+    let rounding = match picture.depth {
+        Depth::Eight | Depth::Sixteen => picture.rounding,
+        Depth::Float => Rounding::default(),
+    };
+    Picture {
+        rounding,
+        ..picture
     }
 }
 
