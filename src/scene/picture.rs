@@ -203,6 +203,12 @@ impl Picture {
         Self::with_properties([self.width, self.height], &node)
     }
 
+    /// How many rays go through each pixel with `max-error` before its error is looked at.
+    #[must_use]
+    pub fn first_rays(&self) -> u32 {
+        self.samples.next_power_of_two().max(Self::FEWEST_ADAPTIVE)
+    }
+
     /// How intensities become code values.
     #[must_use]
     pub fn encoding(&self) -> Encoding {
