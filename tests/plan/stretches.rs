@@ -40,7 +40,8 @@ fn drawn<P: Probe + Default + Send + std::iter::Sum>(
 /// The picture pixel by pixel, as nothing is drawn in stretches then, and what is asked for it.
 fn pixel_by_pixel(scene: &Scene) -> (Vec<[u64; 3]>, u64) {
     let plan = Plan::new(scene, None, Scope::CalledFor).expect("a camera");
-    let (mut counts, [width, height]) = (Counts::default(), [WIDTH, HEIGHT].map(|it| it as usize));
+    let [width, height] = [WIDTH, HEIGHT].map(|it| usize::try_from(it).expect("a side"));
+    let mut counts = Counts::default();
     let places = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
     let colors = places.map(|[column, row]| {
         let color = pixel_color(Tracer::new(&plan), scene, column, row, &mut counts);
