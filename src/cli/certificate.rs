@@ -51,7 +51,10 @@ pub(super) fn report(
     } = *certificate;
     let decisions = counts.hit_tests + counts.occlusion_tests;
     let taken = counts.decisions;
+    let robust = scene.picture.numerics == Numerics::Robust;
     let bounded = |most: f64| Some(most).filter(|most| most.is_finite());
+    // What classic surfaces decide may be off by anything.
+    let proven = |most: f64| bounded(most).filter(|_| robust);
     let welds = |what| scene.welds.iter().filter(|weld| weld.what == what).count();
     let distances = scene.welds.iter().map(|weld| weld.distance);
     Report {
@@ -63,13 +66,13 @@ pub(super) fn report(
         shared_planes: welds(Welded::Plane),
         shared_lines: welds(Welded::Line),
         largest_weld: distances.fold(0.0, f64::max),
-        largest_error: bounded(largest_error),
-        largest_bounced_error: bounded(largest_bounced_error),
+        largest_error: proven(largest_error),
+        largest_bounced_error: proven(largest_bounced_error),
         capped_rays: counts.capped_rays,
         largest_residual: bounded(largest_residual),
         non_finite_pixels: film.non_finite().count(),
         picture_hash: film.hash(),
-        robust: scene.picture.numerics == Numerics::Robust,
+        robust,
     }
 }
 

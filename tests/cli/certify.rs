@@ -70,6 +70,12 @@ fn classic_numerics_certify_nothing_but_that_all_is_finite() {
         "{said}"
     );
     assert!(!said.contains("error of a hit"), "{said}");
+    let json = [&arguments[..], &["--json"]].concat();
+    let run = shell.run(&json).ends_with(0);
+    let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
+    for bound in ["largest_error", "largest_bounced_error"] {
+        assert!(answer["certificate"][bound].is_null(), "{answer}");
+    }
 }
 
 #[test]
