@@ -158,6 +158,52 @@ fn is_no_way_off_itself(text: &str) {
     assert!(cost.rungs[0].cpu.deviation.is_some());
 }
 
+#[test]
+fn each_depth_errs_by_itself_as_far_as_it_rounds() {
+    for curve in ["none", "srgb"] {
+        let image = format!("image 32 24 transfer=\"{curve}\"");
+        let mut scene = scene(&SCENE.replace("image 32 24", &image));
+        let cost = measured(&mut scene, &["depth=8,16,float", "quantize=truncate"], 1);
+        let labels: Vec<_> = cost.rungs.iter().map(|rung| rung.label.as_str()).collect();
+        let expected = [
+            "as it is",
+            "depth=8",
+            "depth=16",
+            "depth=float",
+            "quantize=truncate",
+        ];
+        assert_eq!(labels, expected);
+        let own = |rung: usize, dial| cost.rungs[rung].own(dial).expect("an error").rmse;
+        // Some of the picture is black, which every depth keeps.
+        let even = 1.0 / 12.0_f64.sqrt();
+        assert!((0.3..1.1).contains(&(own(1, "depth") * 255.0 / even)));
+        assert!((0.3..1.1).contains(&(own(2, "depth") * 65_535.0 / even)));
+        assert!((1e-10..1e-7).contains(&own(3, "depth")));
+        assert!(own(4, "quantize") > 1.5 * own(1, "depth"));
+        // The errors of a picture are told in code values of 255, whatever its depth.
+        let largest = |rung: usize| cost.rungs[rung].deviation.change.largest;
+        assert!((largest(1) - largest(3)).abs() <= 0.5 + 1e-9);
+        assert!((largest(2) - largest(3)).abs() <= 0.5 / 257.0 + 1e-9);
+    }
+}
+
+#[test]
+fn floats_are_not_tried_with_each_rounding() {
+    let about = |image: &str, word: &str| {
+        let all = labels(&scene(&SCENE.replace("image 32 24", image)));
+        let about = all.into_iter().filter(|label| label.starts_with(word));
+        about.collect::<Vec<_>>()
+    };
+    let rounding = |image: &str| about(image, "quantize");
+    assert_eq!(rounding("image 32 24"), ["quantize=truncate"]);
+    assert_eq!(rounding("image 32 24 depth=16"), ["quantize=truncate"]);
+    assert_eq!(rounding("image 32 24 depth=float"), [""; 0]);
+    for depth in ["8", "16", "float"] {
+        let image = format!("image 32 24 depth={depth}");
+        assert_eq!(about(&image, "depth").len(), 3);
+    }
+}
+
 /// Runs the command on the scene above in a folder of its own.
 fn run(folder: &tempfile::TempDir, arguments: &[&str]) -> Output {
     std::fs::write(folder.path().join("scene.kdl"), SCENE).expect("a file");
@@ -181,6 +227,10 @@ fn exit_codes_answer() {
     assert_eq!(code(&["--reference", "none.png"]), Some(4));
     assert_eq!(code(&["--csv", "scene.kdl"]), Some(2));
     assert_eq!(code(&["--csv", "a", "--plot", "a"]), Some(2));
+    assert_eq!(code(&["--csv", "a", "--plot", "./a"]), Some(2));
+    assert_eq!(code(&["--csv", "-"]), Some(2), "the table is there");
+    assert_eq!(code(&["--report", "."]), Some(4));
+    assert_eq!(code(&["--vary", "transfer=srgb"]), Some(2));
     assert_eq!(code(&["--csv", "no/such.csv"]), Some(4));
     assert_eq!(run(&folder, &["--grid"]).status.code(), Some(2));
 }

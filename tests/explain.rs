@@ -84,6 +84,46 @@ fn pixels_tell_their_stories() {
 }
 
 #[test]
+fn a_pixel_is_told_in_the_numbers_that_its_file_holds() {
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let file = format!("{folder}/deep-room.kdl");
+    for (depth, ending) in [("8", "png"), ("16", "png"), ("float", "pfm")] {
+        let textures = format!("{}/textures/", env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string("scenes/room.kdl").expect("the room");
+        let text = text.replace("../textures/", &textures);
+        let deep = text.replace("image 800 600", &format!("image 800 600 depth={depth}"));
+        assert_ne!(deep, text);
+        fs::write(&file, deep).expect("a file");
+        let out = format!("{folder}/deep-room.{ending}");
+        let (_, told, code) = said(&["render", &file, "--crop", "400,500,401,501", "-o", &out]);
+        assert_eq!(code, 0, "{told}");
+        let numbers = match depth {
+            "8" => pixel(&image::open(&out).expect("a picture").into_rgb8()),
+            "16" => pixel(&image::open(&out).expect("a picture").into_rgb16()),
+            _ => {
+                let bytes = fs::read(&out).expect("a picture");
+                let (_, floats) = bytes.split_at(bytes.len() - 12);
+                let (floats, _) = floats.as_chunks::<4>();
+                let floats = floats.iter().map(|it| f64::from(f32::from_le_bytes(*it)));
+                floats.map(|it| it.to_string()).collect()
+            }
+        };
+        let (text, told, code) = said(&["explain", &file, "--pixel", "400,500"]);
+        assert_eq!(code, 0, "{told}");
+        let expected = format!("0.2389, in the picture {}\n", numbers.join(" "));
+        assert!(text.contains(&expected), "{expected}\n{text}");
+    }
+}
+
+/// The code values of a picture's only pixel.
+fn pixel<P: image::Pixel<Subpixel: ToString>>(
+    picture: &image::ImageBuffer<P, Vec<P::Subpixel>>,
+) -> Vec<String> {
+    assert_eq!(picture.dimensions(), (1, 1));
+    picture.iter().map(ToString::to_string).collect()
+}
+
+#[test]
 fn json_keeps_to_its_schema() {
     let schema = fs::read_to_string("docs/explain.schema.json").expect("the schema");
     let schema: Value = serde_json::from_str(&schema).expect("JSON");
@@ -219,6 +259,45 @@ fn a_light_in_the_very_place_that_it_would_light_is_told() {
     let line =
         r#"light "spark" (line 5): is in this very place, so that its light has no direction"#;
     assert!(text.contains(line), "{text}");
+}
+
+/// A row of that many balls, of which some lie in the picture.
+fn balls(count: usize, picture: &str) -> String {
+    let mut text = format!(
+        "image 40 30 {picture}\ncamera {{ viewpoint 0 0 9; look-at 0 0 0 }}\n\
+         material \"chalk\" {{ ambient 1 }}\n"
+    );
+    for number in 0..count {
+        text += &format!("sphere {{ material \"chalk\"; center {number} 0 0; radius 0.4 }}\n");
+    }
+    text
+}
+
+#[test]
+fn what_is_counted_for_a_small_picture_is_what_rendering_takes() {
+    let scene = format!("{}/one-ball.kdl", env!("CARGO_TARGET_TMPDIR"));
+    fs::write(&scene, balls(1, "")).expect("a scene");
+    let counts = |more: &[&str]| {
+        let arguments = [&["explain", &scene, "--json"], more].concat();
+        answer(&arguments)["work"]["counts"].clone()
+    };
+    assert_eq!(counts(&[]), counts(&["--measure"]));
+}
+
+#[test]
+fn no_tree_is_promised_to_classic_numerics() {
+    let scene = format!("{}/many-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
+    for (picture, says) in [
+        ("", "found by a tree; a tree pays from 129 surfaces on"),
+        (
+            "numerics=\"classic\"",
+            "found by a list; numerics \"classic\" have no tree",
+        ),
+    ] {
+        fs::write(&scene, balls(129, picture)).expect("a scene");
+        let (text, _, _) = said(&["explain", &scene]);
+        assert!(text.contains(says), "{text}");
+    }
 }
 
 #[test]

@@ -329,3 +329,30 @@ fn the_pictures_in_the_documentation() {
     let comparison = repository("target/texture-filters/horizon.png");
     compare(&kept, &sheet, &comparison).unwrap_or_else(|complaint| panic!("{complaint}"));
 }
+
+#[test]
+fn exact_stays_exact_with_more_rays() {
+    let folder = folder([64, 64], noise);
+    let camera = "viewpoint 0.3 1 0.2; look-at 1.1 -0.5 -1; up 0.2 1 0.1; field-of-view 40";
+    let text = head([24, 16], camera) + &floor(0.05, HORIZON);
+    let drawn_with = |settings: &[(&str, &str)]| {
+        let mut scene = scene(&text, folder.path(), Filter::Exact, 1);
+        for (word, value) in settings {
+            let setting = Setting::new(word, value).expect("a setting");
+            scene.picture = scene.picture.with(&setting);
+        }
+        drawn(&scene).0
+    };
+    let once = drawn_with(&[]);
+    for settings in [
+        &[("samples", "5")][..],
+        &[("samples", "16")],
+        &[("samples", "8"), ("pattern", "sobol")],
+        &[("samples", "9"), ("pattern", "grid")],
+        &[("max-error", "0.03")],
+        &[("samples", "8"), ("max-error", "0.03")],
+    ] {
+        let off = largest_difference(&drawn_with(settings), &once);
+        assert!(off < 1.0, "{settings:?}: {off}");
+    }
+}

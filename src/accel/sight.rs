@@ -18,9 +18,9 @@ pub struct Sight<'a> {
 pub enum Ahead<'s, 'a> {
     /// Nothing at all.
     Nothing,
-    /// This surface alone.
+    /// This surface alone, all along.
     One(&'s Entry<'a>),
-    /// Any of several surfaces.
+    /// Several surfaces, or one in a part of it.
     Several,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Sight<'a> {
             .filter(|(window, _)| window.meets_stretch(stretch));
         match (here.next(), here.next()) {
             (None, _) => Ahead::Nothing,
-            (Some((_, entry)), None) => Ahead::One(entry),
+            (Some((window, entry)), None) if window.holds_stretch(stretch) => Ahead::One(entry),
             _ => Ahead::Several,
         }
     }

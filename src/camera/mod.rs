@@ -8,7 +8,7 @@ mod view;
 mod window;
 
 pub use pattern::Pattern;
-pub use places::Places;
+pub use places::{Places, Share};
 pub use row::{Row, Stretch};
 pub use view::{View, WindowOrigin};
 pub use window::Window;
@@ -49,15 +49,15 @@ impl Camera {
         Ray::new(Point::exact(self.viewpoint), direction(self.way(x, y)))
     }
 
-    /// The rays around that one through a square of this side in pixels.
+    /// The rays around that one through a rectangle with these sides in pixels.
     #[must_use]
-    pub fn beam(&self, x: f64, y: f64, side: f64) -> Beam {
-        let steps = [self.right / self.span[0], self.up / self.span[1]];
+    pub fn beam(&self, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> Beam {
+        let [right, up] = [self.right / self.span[0], self.up / self.span[1]];
         let way = self.way(x, y);
         Beam::new(
             Point::exact(self.viewpoint),
             way,
-            steps.map(|step| step * side),
+            [right * width, up * height],
         )
     }
 

@@ -35,6 +35,13 @@ impl Window {
         y >= self.low[1] && y <= self.high[1] && first <= self.high[0] && last >= self.low[0]
     }
 
+    /// Whether all places of a stretch lie inside.
+    #[must_use]
+    pub fn holds_stretch(&self, stretch: &Stretch<'_>) -> bool {
+        let mut ends = stretch.ends().into_iter();
+        ends.all(|x| self.contains(x, stretch.row.y))
+    }
+
     /// Whether a place lies inside.
     #[must_use]
     #[inline(always)]

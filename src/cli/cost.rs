@@ -167,7 +167,12 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
         let folder = output
             .parent()
             .filter(|folder| !folder.as_os_str().is_empty());
-        let error = if outputs[..number].contains(output) {
+        let same =
+            |other: &&Path| std::path::absolute(other).ok() == std::path::absolute(output).ok();
+        let error = if output.as_os_str() == "-" {
+            let error = "standard output has the table; give a name to the file";
+            (Status::Usage, error.to_owned())
+        } else if outputs[..number].iter().any(same) {
             (
                 Status::Usage,
                 format!("{} would be written twice", output.display()),
@@ -179,6 +184,8 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
                 output.display()
             );
             (Status::Usage, error)
+        } else if output.is_dir() {
+            (Status::Io, format!("{} is a folder", output.display()))
         } else if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
             (
                 Status::Io,

@@ -4,7 +4,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::camera::Pattern;
-use crate::film::{Rounding, Transfer};
+use crate::film::{Depth, Rounding, Transfer};
 use crate::math::Numerics;
 use crate::read;
 use crate::scene::{Picture, Setting};
@@ -32,7 +32,11 @@ pub(super) struct Dials {
     /// The curve from intensities to code values; PFM files, which hold intensities, have none.
     #[arg(long, value_name = "WORD", value_parser = word("transfer", &Transfer::WORDS))]
     transfer: Option<Setting>,
-    /// How they are rounded to code values.
+    /// What the picture's numbers are kept in: code values of 8 or 16 bits, or 32-bit floats, which
+    /// are intensities.
+    #[arg(long, value_name = "WORD", value_parser = word("depth", &Depth::WORDS))]
+    depth: Option<Setting>,
+    /// How intensities are rounded to code values.
     #[arg(long, value_name = "WORD", value_parser = word("quantize", &Rounding::WORDS))]
     quantize: Option<Setting>,
     /// What decides where rays meet surfaces; the classic ones are the chapter's own algorithm.
@@ -44,6 +48,11 @@ pub(super) struct Dials {
 }
 
 impl Dials {
+    /// The depth, if it is said.
+    pub(super) fn depth(&self) -> Option<Depth> {
+        Depth::from_word(self.depth.as_ref()?.value().text())
+    }
+
     /// The reader's options with what is said.
     pub(super) fn added_to(&self, options: read::Options) -> read::Options {
         let all = [
@@ -52,6 +61,7 @@ impl Dials {
             &self.max_error,
             &self.cut_off,
             &self.transfer,
+            &self.depth,
             &self.quantize,
             &self.numerics,
             &self.texture_filter,

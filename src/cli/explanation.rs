@@ -82,7 +82,7 @@ fn light(
         counted(all, "surface"),
     )?;
     for (caster, onto) in &row.casters {
-        let lead = format!("{} casts a shadow on ", name(caster));
+        let lead = format!("{} can cast a shadow on ", name(caster));
         list(out, &lead, onto.iter().map(name).collect(), 4)?;
     }
     let casting_nothing = row.casts_nothing.iter();
@@ -111,6 +111,7 @@ fn light(
                 "finds neither diffuse colour nor glints on "
             },
         ),
+        (Unlit::Clear, "need not light what lets all light through: "),
         (Unlit::OutsideBeam, "shines past "),
         (Unlit::Unseen, "need not light what nobody sees: "),
     ] {
@@ -137,12 +138,15 @@ fn surfaces(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
         sent_on,
         2,
     )?;
-    writeln!(
-        out,
-        "  they are found by a {}; a tree pays from {} surfaces on",
-        explanation.accelerator,
-        Accelerator::FEWEST,
-    )?;
+    let is_classic =
+        explanation.accelerator == Accelerator::List.word() && all >= Accelerator::FEWEST;
+    let beside = if is_classic {
+        format!("numerics {:?} have no tree", explanation.numerics)
+    } else {
+        format!("a tree pays from {} surfaces on", Accelerator::FEWEST)
+    };
+    let accelerator = explanation.accelerator;
+    writeln!(out, "  they are found by a {accelerator}; {beside}")?;
     let nothing_sends = explanation
         .effects
         .iter()

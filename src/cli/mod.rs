@@ -1,5 +1,6 @@
 //! The command line: arguments, messages, exit codes. One file per command.
 
+mod asked;
 mod bug;
 mod certificate;
 mod check;

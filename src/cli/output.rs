@@ -5,8 +5,9 @@ use std::io::{ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use super::Status;
+use super::asked::Asked;
 use super::input::DASH;
-use crate::film::Format;
+use crate::film::{Depth, Format};
 
 /// Where one scene's picture goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,6 +23,33 @@ impl Output {
     pub(super) fn title(&self) -> String {
         let path = self.path.as_ref();
         path.map_or("stdout".to_owned(), |path| path.display().to_string())
+    }
+}
+
+/// What the command line leaves possible for one scene's picture: an output for each depth, the usual
+/// one first, and one at least. The scene's own depth chooses.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Outputs(Vec<Output>);
+
+impl Outputs {
+    /// These formats at the places that each has.
+    fn of(formats: Vec<Format>, place: impl Fn(Format) -> Option<PathBuf>) -> Self {
+        let mut outputs: Vec<Output> = Vec::new();
+        for format in formats {
+            let depth = format.depth();
+            if outputs.iter().all(|known| known.format.depth() != depth) {
+                let path = place(format);
+                outputs.push(Output { path, format });
+            }
+        }
+        Self(outputs)
+    }
+
+    /// The one for a picture of this depth, or the usual one if none has it.
+    pub(super) fn of_depth(&self, depth: Depth) -> &Output {
+        let mut outputs = self.0.iter();
+        let fitting = outputs.find(|output| output.format.depth() == depth);
+        fitting.unwrap_or(&self.0[0])
     }
 }
 
@@ -43,42 +71,40 @@ fn usage(reason: impl Into<String>) -> Refused {
 ///
 /// # Errors
 /// If two pictures would go to one file, a picture would replace a scene, the format cannot be
-/// told, or a folder is missing.
-pub(super) fn plan(
-    scenes: &[PathBuf],
-    pattern: Option<&str>,
-    format: Option<Format>,
-) -> Result<Vec<Output>, Refused> {
-    if pattern == Some(DASH) {
-        return to_standard_output(scenes, format);
+/// told, what is asked for contradicts itself, or a folder is missing.
+pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, Refused> {
+    if asked.pattern == Some(DASH) {
+        return to_standard_output(scenes, asked);
     }
-    let mut outputs = Vec::new();
-    let mut taken: HashMap<PathBuf, &Path> = HashMap::new();
-    for scene in scenes {
-        let output = output(scene, pattern, format)?;
-        let Some(path) = &output.path else { continue };
-        let place = place(path)?;
-        if scenes
-            .iter()
-            .any(|scene| scene.canonicalize().is_ok_and(|scene| scene == place))
-        {
-            let reason = format!("the picture {} would replace a scene", path.display());
-            return Err(usage(reason));
+    let mut all = Vec::new();
+    let mut taken: HashMap<PathBuf, usize> = HashMap::new();
+    for (number, scene) in scenes.iter().enumerate() {
+        let outputs = outputs(scene, asked)?;
+        for path in outputs.0.iter().filter_map(|output| output.path.as_ref()) {
+            let place = place(path)?;
+            if scenes
+                .iter()
+                .any(|scene| scene.canonicalize().is_ok_and(|scene| scene == place))
+            {
+                let reason = format!("a picture {} would replace a scene", path.display());
+                return Err(usage(reason));
+            }
+            let other = taken.insert(place, number).filter(|other| *other != number);
+            if let Some(other) = other {
+                return Err(usage(format!(
+                    "{} and {} would both be written to {}; put {{stem}} into the output's name",
+                    scenes[other].display(),
+                    scene.display(),
+                    path.display(),
+                )));
+            }
         }
-        if let Some(other) = taken.insert(place, scene) {
-            return Err(usage(format!(
-                "{} and {} would both be written to {}; put {{stem}} into the output's name",
-                other.display(),
-                scene.display(),
-                path.display(),
-            )));
-        }
-        outputs.push(output);
+        all.push(outputs);
     }
-    Ok(outputs)
+    Ok(all)
 }
 
-fn to_standard_output(scenes: &[PathBuf], format: Option<Format>) -> Result<Vec<Output>, Refused> {
+fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, Refused> {
     if scenes.len() > 1 {
         return Err(usage("only one picture can go to standard output"));
     }
@@ -87,13 +113,13 @@ fn to_standard_output(scenes: &[PathBuf], format: Option<Format>) -> Result<Vec<
             "a terminal cannot show a picture; send standard output to a file",
         ));
     }
-    Ok(vec![Output {
-        path: None,
-        format: format.unwrap_or(Format::Png8),
-    }])
+    Ok(vec![Outputs::of(
+        asked.formats(None).map_err(usage)?,
+        |_| None,
+    )])
 }
 
-fn output(scene: &Path, pattern: Option<&str>, format: Option<Format>) -> Result<Output, Refused> {
+fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, Refused> {
     let stem = if scene.as_os_str() == DASH {
         "stdin".into()
     } else {
@@ -102,39 +128,21 @@ fn output(scene: &Path, pattern: Option<&str>, format: Option<Format>) -> Result
             .unwrap_or(scene.as_os_str())
             .to_string_lossy()
     };
-    let extension = format.unwrap_or(Format::Png8).extension();
-    let path = match pattern {
-        None => PathBuf::from(format!("{stem}.{extension}")),
-        Some(pattern) => {
-            let path = PathBuf::from(filled(pattern, &stem)?);
-            let folder = path.is_dir() || pattern.ends_with(std::path::MAIN_SEPARATOR);
-            if folder {
-                path.join(format!("{stem}.{extension}"))
-            } else {
-                path
-            }
-        }
+    let within = |folder: PathBuf| {
+        let name = |format: Format| folder.join(format!("{stem}.{}", format.extension()));
+        Ok(Outputs::of(asked.formats(None).map_err(usage)?, |it| {
+            Some(name(it))
+        }))
     };
-    let meant = Format::of(&path);
-    let contradicts = |format: Format| meant.is_some_and(|m| m.extension() != format.extension());
-    if let Some(format) = format.filter(|format| contradicts(*format)) {
-        return Err(usage(format!(
-            "--format asks for a .{} file, but the output is {}",
-            format.extension(),
-            path.display()
-        )));
+    let Some(pattern) = asked.pattern else {
+        return within(PathBuf::new());
+    };
+    let path = PathBuf::from(filled(pattern, &stem)?);
+    if path.is_dir() || pattern.ends_with(std::path::MAIN_SEPARATOR) {
+        return within(path);
     }
-    let format = format.or(meant).ok_or_else(|| {
-        usage(format!(
-            "the ending of {:?} names no picture format; end it with .png, .ppm or .pfm, \
-             or give --format",
-            path.display().to_string()
-        ))
-    })?;
-    Ok(Output {
-        path: Some(path),
-        format,
-    })
+    let formats = asked.formats(Some(&path)).map_err(usage)?;
+    Ok(Outputs::of(formats, |_| Some(path.clone())))
 }
 
 /// The pattern with `{stem}` replaced; other words in braces are mistakes.
@@ -181,18 +189,27 @@ fn place(path: &Path) -> Result<PathBuf, Refused> {
 mod tests {
     use super::*;
 
-    fn planned(scenes: &[&str], pattern: Option<&str>) -> Result<Vec<String>, String> {
+    fn named(scenes: &[&str], asked: Asked<'_>, depth: Depth) -> Result<Vec<String>, String> {
         let scenes: Vec<_> = scenes.iter().map(PathBuf::from).collect();
-        let outputs = plan(&scenes, pattern, None).map_err(|refused| refused.reason)?;
-        let paths = outputs.into_iter().filter_map(|output| output.path);
-        Ok(paths.map(|path| path.display().to_string()).collect())
+        let all = plan(&scenes, asked).map_err(|refused| refused.reason)?;
+        let outputs = all.iter().map(|outputs| outputs.of_depth(depth));
+        let named = outputs.map(|output| format!("{} {:?}", output.title(), output.format));
+        Ok(named.collect())
+    }
+
+    fn planned(scenes: &[&str], pattern: Option<&str>) -> Result<Vec<String>, String> {
+        let asked = Asked {
+            pattern,
+            ..Asked::default()
+        };
+        named(scenes, asked, Depth::Eight)
     }
 
     #[test]
     fn the_default_is_the_scenes_stem_here() {
         assert_eq!(
             planned(&["deep/room.kdl", "-"], None).unwrap(),
-            ["room.png", "stdin.png"]
+            ["room.png Png8", "stdin.png Png8"]
         );
     }
 
@@ -200,7 +217,7 @@ mod tests {
     fn the_stem_is_filled_in() {
         assert_eq!(
             planned(&["a.kdl", "b.kdl"], Some("{stem}-x.ppm")).unwrap(),
-            ["a-x.ppm", "b-x.ppm"]
+            ["a-x.ppm Ppm", "b-x.ppm Ppm"]
         );
         assert!(
             planned(&["a.kdl"], Some("{step}.png"))
@@ -214,6 +231,7 @@ mod tests {
         let error = planned(&["a/room.kdl", "b/room.kdl"], None).unwrap_err();
         assert!(error.contains("both be written to room.png"), "{error}");
         assert!(planned(&["a.kdl", "b.kdl"], Some("./x.png")).is_err());
+        assert!(planned(&["a.kdl", "a.kdl"], None).is_err());
     }
 
     #[test]
@@ -225,5 +243,93 @@ mod tests {
                 .unwrap_err()
                 .contains(".png, .ppm or .pfm")
         );
+    }
+
+    /// What a scene of each depth becomes, or why nothing.
+    fn by_depth(
+        pattern: Option<&str>,
+        format: Option<Format>,
+        depth: Option<Depth>,
+    ) -> Result<Vec<String>, String> {
+        let asked = Asked {
+            pattern,
+            format,
+            depth,
+        };
+        let of = |depth| Ok(named(&["a.kdl"], asked, depth)?.concat());
+        Depth::ALL.into_iter().map(of).collect()
+    }
+
+    #[test]
+    fn the_scenes_depth_chooses_what_the_command_line_leaves_open() {
+        for (pattern, format, expected) in [
+            (None, None, ["a.png Png8", "a.png Png16", "a.pfm Pfm"]),
+            (
+                Some("x.PNG"),
+                None,
+                ["x.PNG Png8", "x.PNG Png16", "x.PNG Png8"],
+            ),
+            (Some("x.ppm"), None, ["x.ppm Ppm"; 3]),
+            (Some("x.pfm"), None, ["x.pfm Pfm"; 3]),
+            (None, Some(Format::Png8), ["a.png Png8"; 3]),
+            (None, Some(Format::Png16), ["a.png Png16"; 3]),
+            (None, Some(Format::Ppm), ["a.ppm Ppm"; 3]),
+            (None, Some(Format::Pfm), ["a.pfm Pfm"; 3]),
+            (Some("x"), Some(Format::Pfm), ["x Pfm"; 3]),
+        ] {
+            let all = by_depth(pattern, format, None).unwrap();
+            assert_eq!(all, expected, "{pattern:?} {format:?}");
+        }
+        let folder = by_depth(Some("src"), None, None).unwrap();
+        assert_eq!(
+            folder,
+            ["src/a.png Png8", "src/a.png Png16", "src/a.pfm Pfm"]
+        );
+    }
+
+    #[test]
+    fn a_depth_that_is_asked_for_is_kept_or_refused() {
+        let (eight, sixteen, float) = (Depth::Eight, Depth::Sixteen, Depth::Float);
+        for (pattern, format, depth, expected) in [
+            (None, None, eight, "a.png Png8"),
+            (None, None, sixteen, "a.png Png16"),
+            (None, None, float, "a.pfm Pfm"),
+            (Some("x.png"), None, eight, "x.png Png8"),
+            (Some("x.png"), None, sixteen, "x.png Png16"),
+            (Some("x.ppm"), None, eight, "x.ppm Ppm"),
+            (Some("x.pfm"), None, float, "x.pfm Pfm"),
+            (None, Some(Format::Ppm), eight, "a.ppm Ppm"),
+            (Some("x"), Some(Format::Png16), sixteen, "x Png16"),
+        ] {
+            let all = by_depth(pattern, format, Some(depth)).unwrap();
+            assert_eq!(all, [expected; 3], "{pattern:?} {format:?} {depth:?}");
+        }
+        for (pattern, depth, expected) in [
+            (
+                "x.png",
+                float,
+                "x.png cannot have a depth of float; end it with .pfm,",
+            ),
+            (
+                "x.ppm",
+                sixteen,
+                "x.ppm cannot have a depth of 16; end it with .png,",
+            ),
+            ("x.ppm", float, "end it with .pfm,"),
+            ("x.pfm", eight, "end it with .png or .ppm,"),
+            ("x.pfm", sixteen, "end it with .png,"),
+            ("x", sixteen, "names no picture format"),
+        ] {
+            let error = by_depth(Some(pattern), None, Some(depth)).unwrap_err();
+            assert!(error.contains(expected), "{error}");
+        }
+        for format in Format::ALL {
+            for depth in Depth::ALL.into_iter().filter(|it| *it != format.depth()) {
+                let error = by_depth(None, Some(format), Some(depth)).unwrap_err();
+                let other = format.depth().word();
+                let expected = format!("contradicts --format, which asks for a depth of {other};");
+                assert!(error.contains(&expected), "{error}");
+            }
+        }
     }
 }

@@ -7,11 +7,12 @@ use std::time::Instant;
 use clap::Args;
 use rayon::prelude::*;
 
+use super::asked::Asked;
 use super::certificate::{self, Report};
 use super::dials::Dials;
 use super::input::Failure;
 use super::messages::{Json, Messages, problems_json};
-use super::output::{Output, plan};
+use super::output::{Output, Outputs, plan};
 use super::threads::Threads;
 use super::{FormatWord, Status, input, progress, stats};
 use crate::film::{Notes, Print, Region, save};
@@ -34,7 +35,7 @@ pub(super) struct Options {
     scenes: Vec<PathBuf>,
     /// Where pictures go: a file, a folder, or a name with `{stem}` in it; `-` is standard output.
     ///
-    /// The ending .png, .ppm or .pfm names the format.
+    /// The ending .png, .ppm or .pfm names the format; a PNG has 16 bits if the depth is 16.
     #[arg(short, long, value_name = "OUT")]
     output: Option<String>,
     /// Only this part of the picture: first column and row, counted from the top left, from 0, and
@@ -98,8 +99,12 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         messages.error("error: standard input can be read only once");
         return Status::Usage;
     }
-    let format = picture_formats.first().copied();
-    let outputs = match plan(&options.scenes, options.output.as_deref(), format) {
+    let asked = Asked {
+        pattern: options.output.as_deref(),
+        format: picture_formats.first().copied(),
+        depth: options.dials.depth(),
+    };
+    let outputs = match plan(&options.scenes, asked) {
         Ok(outputs) => outputs,
         Err(refused) => {
             messages.error(&format!("error: {}", refused.reason));
@@ -117,8 +122,8 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         language: languages.first().copied(),
         ..read::Options::default()
     });
-    let one = |(scene, output): (&PathBuf, &Output)| {
-        let made = picture(scene, output, &reader, options, &pool, messages);
+    let one = |(scene, outputs): (&PathBuf, &Outputs)| {
+        let made = picture(scene, outputs, &reader, options, &pool, messages);
         match (made, options.json.is_asked()) {
             (Ok(done), true) => messages.result(&done.json(), done.status),
             (Ok(done), false) => done.say(messages),
@@ -134,7 +139,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 /// Renders one scene and writes its picture.
 fn picture<'a>(
     scene: &Path,
-    output: &'a Output,
+    outputs: &'a Outputs,
     reader: &read::Options,
     options: &Options,
     pool: &rayon::ThreadPool,
@@ -142,11 +147,14 @@ fn picture<'a>(
 ) -> Result<Done<'a>, Failure> {
     let start = Instant::now();
     let Reading {
-        scene: read,
+        scene: mut read,
         warnings,
         ..
     } = input::read(scene, reader, messages)?;
     let title = input::title(scene);
+    let output = outputs.of_depth(read.picture.depth);
+    // The command line comes before the scene, and what was kept is what the settings say.
+    read.picture.depth = output.format.depth();
     let replaced = output
         .path
         .as_ref()

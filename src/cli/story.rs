@@ -3,8 +3,6 @@
 use std::fmt::Write;
 
 use super::explanation::placed;
-use crate::film::Film;
-use crate::math::Rgb;
 use crate::measure::{PixelStory, Step};
 use crate::scene::Scene;
 
@@ -23,11 +21,11 @@ fn write_text(
     title: &str,
 ) -> std::fmt::Result {
     let [x, y] = story.pixel;
-    let code = code_values(story.color, scene);
+    let kept = kept(story.color, scene);
     let color = color(story.color);
     writeln!(
         out,
-        "pixel {x},{y} of {title}: {color}, in the picture {code}"
+        "pixel {x},{y} of {title}: {color}, in the picture {kept}"
     )?;
     let many = story.rays.len() > 1;
     for (index, ray) in story.rays.iter().enumerate() {
@@ -113,17 +111,10 @@ fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Re
 }
 
 /// What the picture's file says of a colour.
-fn code_values(color: [f64; 3], scene: &Scene) -> String {
-    let Some(mut film) = Film::new(1, 1) else {
-        return String::new();
-    };
-    if let Some(pixel) = film.pixels_mut().first_mut() {
-        let [r, g, b] = color;
-        *pixel = Rgb::new(r, g, b);
-    }
-    let bytes = film.bytes(scene.picture.encoding());
-    let codes: Vec<_> = bytes.iter().map(u8::to_string).collect();
-    codes.join(" ")
+fn kept(color: [f64; 3], scene: &Scene) -> String {
+    let picture = &scene.picture;
+    let kept = color.map(|channel| picture.depth.kept(channel, picture.encoding()));
+    kept.map(|number| number.to_string()).join(" ")
 }
 
 fn color(color: [f64; 3]) -> String {

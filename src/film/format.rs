@@ -1,8 +1,6 @@
 //! The kinds of picture files.
 
-use std::path::Path;
-
-use super::Encoding;
+use super::{Depth, Encoding, pfm};
 use crate::math::Rgb;
 
 /// A kind of picture file.
@@ -19,15 +17,16 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that a file name's ending asks for; PNG means 8 bits.
+    /// All of them; of those with the same depth or the same ending, the usual one first.
+    pub const ALL: [Self; 4] = [Self::Png8, Self::Png16, Self::Ppm, Self::Pfm];
+
+    /// What its numbers are kept in.
     #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "png" => Some(Self::Png8),
-            "ppm" => Some(Self::Ppm),
-            "pfm" => Some(Self::Pfm),
-            _ => None,
+    pub fn depth(self) -> Depth {
+        match self {
+            Self::Png8 | Self::Ppm => Depth::Eight,
+            Self::Png16 => Depth::Sixteen,
+            Self::Pfm => Depth::Float,
         }
     }
 
@@ -61,14 +60,7 @@ impl Format {
             Self::Png16 => store(colors, bytes, |channel| {
                 encoding.code(channel, 65_535).to_be_bytes()
             }),
-            // Brighter than this format can say is as bright as it can say.
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "the format holds 32-bit floats"
-            )]
-            Self::Pfm => store(colors, bytes, |channel| {
-                (channel as f32).clamp(f32::MIN, f32::MAX).to_le_bytes()
-            }),
+            Self::Pfm => store(colors, bytes, |channel| pfm::float(channel).to_le_bytes()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Pixels in memory and on disk.
 
+mod depth;
 mod encoding;
 mod format;
 mod load;
@@ -12,6 +13,7 @@ mod region;
 mod save;
 mod transfer;
 
+pub use depth::Depth;
 pub use encoding::Encoding;
 pub use format::Format;
 pub use print::{Print, PrintRow};

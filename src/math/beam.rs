@@ -51,7 +51,8 @@ impl Beam {
             });
             DVec3::new(x, y, slope_step)
         };
-        let ahead = if slope < 0.0 { -1.0 } else { 1.0 };
+        // What lies ahead has a depth above zero, even if the middle is beyond the horizon.
+        let ahead = if height > 0.0 { -1.0 } else { 1.0 };
         Footprint {
             center: center * ahead,
             steps: [step(0) * ahead, step(1) * ahead],

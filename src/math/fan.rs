@@ -122,8 +122,17 @@ mod tests {
         let (mut always, mut never, mut unknown) = (0, 0, 0);
         for round in 0..40_000 {
             let eye = Point::exact(vector(3.0) + DVec3::Z * 4.0);
-            let (first, across) = (vector(1.0) - DVec3::Z * 1.5, vector(0.2));
-            let flat = Flat::new(vector(2.0), vector(1.0)).expect("a plane");
+            let (mut first, mut across) = (vector(1.0) - DVec3::Z * 1.5, vector(0.2));
+            let (mut point, normal) = (vector(2.0), vector(1.0));
+            // Some eyes and some fans lie in the plane, but for rounding.
+            let into_plane = |way: DVec3| way.reject_from(normal);
+            if round % 8 == 1 {
+                point = eye.world() + into_plane(point);
+            }
+            if round % 8 == 3 {
+                (first, across) = (into_plane(first), into_plane(across));
+            }
+            let flat = Flat::new(point, normal).expect("a plane");
             let screen = Flat::with_unit_normal(vector(1.0), DVec3::Z);
             let screen = (round % 2 == 0).then_some(&screen);
             let way = |share: f64| first + across * share;
@@ -153,6 +162,6 @@ mod tests {
                 }
             }
         }
-        assert!(always > 8000 && never > 8000, "{always} {never} {unknown}");
+        assert!(always > 6000 && never > 6000, "{always} {never} {unknown}");
     }
 }

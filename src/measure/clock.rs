@@ -46,11 +46,17 @@ impl Timing {
     /// few runs may agree by chance; not known of a single run.
     #[must_use]
     pub fn is_like(self, other: Self) -> bool {
-        let deviations = self.deviation.zip(other.deviation);
-        deviations.is_some_and(|(this, other_one)| {
-            let least = SETTLED * self.median.min(other.median);
-            (self.median - other.median).abs() <= least.max(this + other_one)
-        })
+        let known = self.deviation.is_some() && other.deviation.is_some();
+        known && self.may_be(other)
+    }
+
+    /// Whether nobody can tell this and another apart: as [`is_like`](Self::is_like), and of single runs
+    /// if they are no further apart than a fiftieth.
+    #[must_use]
+    pub fn may_be(self, other: Self) -> bool {
+        let deviations = [self, other].map(|timing| timing.deviation.unwrap_or(0.0));
+        let least = SETTLED * self.median.min(other.median);
+        (self.median - other.median).abs() <= least.max(deviations[0] + deviations[1])
     }
 }
 

@@ -30,7 +30,8 @@ pub struct Step {
     pub share: [f64; 3],
     /// What it met; `None` for nothing.
     pub met: Option<Met>,
-    /// What the surface itself sends back: ambient and the light of all lights and lamps, faded.
+    /// What the surface itself sends back: ambient and the light of all lights and lamps, faded, and
+    /// as much of it as counts beside what the surface mirrors and lets through.
     pub own: [f64; 3],
     /// What of that is the light of lamps, or its own glow if it is one.
     pub of_lamps: [f64; 3],
@@ -208,6 +209,13 @@ impl Probe for Listener<'_, '_> {
         self.note(|step| {
             step.own = color.channels();
             step.of_lamps = of_lamps.channels();
+        });
+    }
+
+    fn own_share(&mut self, share: f64) {
+        self.note(|step| {
+            step.own = step.own.map(|own| own * share);
+            step.of_lamps = step.of_lamps.map(|of_lamps| of_lamps * share);
         });
     }
 

@@ -135,7 +135,7 @@ fn antialiasing(plan: &Plan<'_>) -> Decision {
         _ if max_error > 0.0 => format!(
             "`max-error` asks for as many rays, {} or more through each pixel, as its error takes to \
              be about {max_error:.5} at most",
-            samples.next_power_of_two().max(Picture::FEWEST_ADAPTIVE),
+            plan.scene.picture.first_rays(),
         ),
         (false, _) => "one ray goes through the centre of each pixel".to_owned(),
         (true, true) => format!("`samples` asks for {samples} rays through each pixel"),

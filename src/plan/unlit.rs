@@ -16,8 +16,10 @@ pub enum Unlit {
     Behind,
     /// The light has no emissivity.
     Dark,
-    /// The surface has neither a diffuse colour nor glints, or lets all light through.
+    /// The surface has neither a diffuse colour nor glints.
     Colorless,
+    /// The surface lets all light through.
+    Clear,
     /// The surface is outside of the light's cone or slide, or not before the lamp.
     OutsideBeam,
     /// Nobody sees the surface.
@@ -34,7 +36,7 @@ impl Unlit {
         }
         let [_, diffuse] = surface.brightest();
         let material = &surface.common().material;
-        let answers = (diffuse > 0.0 || material.has_glints()) && material.transparency < 1.0;
+        let answers = diffuse > 0.0 || material.has_glints();
         let passes_by = || match (&light.beam, surface.bounds()) {
             (Beam::Everywhere, _) | (_, None) => false,
             (Beam::Cone(cone), Some(bounds)) => beam::cone_passes_by(light.location, cone, &bounds),
@@ -45,6 +47,7 @@ impl Unlit {
         match () {
             () if light.emissivity.is_black() => Some(Self::Dark),
             () if !answers => Some(Self::Colorless),
+            () if material.transparency == 1.0 => Some(Self::Clear),
             () if !is_seen => Some(Self::Unseen),
             () if passes_by() => Some(Self::OutsideBeam),
             () => None,
@@ -57,12 +60,13 @@ impl Unlit {
         let surface = entry.surface;
         let [_, diffuse] = surface.brightest();
         // Lamps make no glints.
-        let answers = diffuse > 0.0 && entry.common.material.transparency < 1.0;
+        let answers = diffuse > 0.0;
         match () {
             () if !view.lights(entry) && view.is_before(surface) => Some(Self::OutsideBeam),
             () if !view.lights(entry) => Some(Self::Behind),
             () if view.lamp.emissivity().is_black() => Some(Self::Dark),
             () if !answers => Some(Self::Colorless),
+            () if entry.common.material.transparency == 1.0 => Some(Self::Clear),
             () if !is_seen => Some(Self::Unseen),
             () => None,
         }

@@ -157,8 +157,16 @@ fn number_or_pair(
 
 fn word(attribute: &Attribute, raw: &(Raw, Location), words: &[&str]) -> Result<Value, Problem> {
     let expected = attribute.takes.words();
+    let found = match &raw.0 {
+        Raw::Text(text) => text.clone(),
+        // A word that is a number needs no quotes.
+        Raw::Number(number) => Value::Number(*number).to_string(),
+        _ => return Err(wrong_type(attribute, &expected, raw)),
+    };
+    if words.contains(&found.as_str()) {
+        return Ok(Value::Text(found));
+    }
     match raw {
-        (Raw::Text(text), _) if words.contains(&text.as_str()) => Ok(Value::from(text.as_str())),
         (Raw::Text(text), at) => {
             let message = format!("`{}` cannot be {}", attribute.word, say::quoted(text));
             let problem = Problem::error(*at, message, format!("expected {expected}"));

@@ -123,8 +123,7 @@ impl<'a> Adaptive<'a> {
     fn pilot(&self, place: [usize; 2], outline: f64, probe: &mut impl Probe) -> Tally {
         // What is well behind all that was met is not seen.
         const NEAR: f64 = 1.0 + 1.0 / 64.0;
-        let count = self.picture.samples.next_power_of_two();
-        let count = count.max(Picture::FEWEST_ADAPTIVE);
+        let count = self.picture.first_rays();
         let mut tally = Tally::NOTHING;
         if outline.is_finite() {
             let onlooker: &mut dyn Probe = probe;

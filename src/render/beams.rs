@@ -4,16 +4,32 @@ use glam::DVec3;
 
 use super::{RayKind, Tracer};
 use crate::accel::Entry;
+use crate::camera::{Pattern, Places, Share};
 use crate::math::{Beam, Ray, Rgb};
 use crate::surface::Hit;
+use crate::texture::Filter;
 
 impl Tracer<'_> {
-    /// The beam from the eye through a place of the picture: the square that is the ray's share of
-    /// its pixel.
+    /// The beam from the eye through a place of the picture: through the ray's share of its pixel.
+    ///
+    /// An area is the same wherever in it the ray is, so the mean over all areas is that over the pixel if
+    /// they are its parts. Filters that look at one place look where the ray goes.
     #[cold]
     pub(super) fn beam(&self, x: f64, y: f64) -> Beam {
-        let side = 1.0 / f64::from(self.plan.scene.picture.samples).sqrt();
-        self.plan.camera.beam(x, y, side)
+        let picture = &self.plan.scene.picture;
+        let (pattern, count) = match self.plan.outlines {
+            Some(_) => (Pattern::Sobol, picture.first_rays()),
+            None => (picture.pattern, picture.samples),
+        };
+        let pixel = [x, y].map(|place| (place + 0.5).floor());
+        let place = [x - pixel[0], y - pixel[1]];
+        let share = match self.plan.filter {
+            // Which pixel it is does not matter to the cells.
+            Some(Filter::Exact) => Places::new(pattern, 0, 0, count).share(place),
+            _ => Share::around(place, count),
+        };
+        let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
+        self.plan.camera.beam(middle, share.sides)
     }
 
     /// What a beam shows of the texture of what it meets.

@@ -25,6 +25,10 @@ impl<A: Probe, B: Probe> Probe for Both<A, B> {
         self.0.follows_errors() || self.1.follows_errors()
     }
 
+    fn only_counts(&self) -> bool {
+        self.0.only_counts() && self.1.only_counts()
+    }
+
     fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
         self.0.met(surface, hit, errors);
         self.1.met(surface, hit, errors);
@@ -38,6 +42,11 @@ impl<A: Probe, B: Probe> Probe for Both<A, B> {
     fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
         self.0.own_color(color, of_lamps);
         self.1.own_color(color, of_lamps);
+    }
+
+    fn own_share(&mut self, share: f64) {
+        self.0.own_share(share);
+        self.1.own_share(share);
     }
 
     fn came_back(&mut self, color: Rgb) {

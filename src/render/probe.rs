@@ -86,6 +86,9 @@ pub trait Probe {
     /// What the surface itself sends back to the eye, faded: its ambient colour, and that of all
     /// lights and lamps; and what of it the lamps give, or the lamp that the surface is.
     fn own_color(&mut self, _color: Rgb, _of_lamps: Rgb) {}
+    /// Only this share of that counts, since the surface mirrors the rest of the light or lets it
+    /// through.
+    fn own_share(&mut self, _share: f64) {}
     /// That ray comes back with this colour, before its surface takes its share.
     fn came_back(&mut self, _color: Rgb) {}
     /// Surfaces that were asked whether a ray meets them.
@@ -120,6 +123,10 @@ impl<P: Probe + ?Sized> Probe for &mut P {
         (**self).follows_errors()
     }
 
+    fn only_counts(&self) -> bool {
+        (**self).only_counts()
+    }
+
     fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
         (**self).met(surface, hit, errors);
     }
@@ -130,6 +137,10 @@ impl<P: Probe + ?Sized> Probe for &mut P {
 
     fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
         (**self).own_color(color, of_lamps);
+    }
+
+    fn own_share(&mut self, share: f64) {
+        (**self).own_share(share);
     }
 
     fn came_back(&mut self, color: Rgb) {
@@ -310,5 +321,25 @@ impl Sum for Counts {
             }
             sum
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Both, Certificate};
+
+    #[test]
+    fn what_an_onlooker_asks_for_does_not_depend_on_who_keeps_it() {
+        /// As the tracer asks, of what somebody lends it.
+        fn asks_for(probe: &mut impl Probe) -> [bool; 2] {
+            [probe.only_counts(), probe.follows_errors()]
+        }
+        let (mut counts, mut certificate) = (Counts::default(), Certificate::default());
+        assert_eq!(asks_for(&mut counts), [true, false]);
+        assert_eq!(asks_for(&mut &mut counts), [true, false]);
+        assert_eq!(asks_for(&mut Both(&mut counts, ())), [true, false]);
+        assert_eq!(asks_for(&mut certificate), [false, true]);
+        assert_eq!(asks_for(&mut Both(counts, certificate)), [false, true]);
     }
 }

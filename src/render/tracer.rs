@@ -217,6 +217,7 @@ impl<'a> Tracer<'a> {
             let budget = if uncalled { &mut nothing } else { budget };
             share * self.trace(&next, &path, budget, probe)
         };
+        Probe::own_share(probe, boundary.passing * (1.0 - material.transparency));
         color = color * boundary.passing;
         if material.transparency > 0.0 || everything {
             // Of two rays each may cost what it weighs: in glass both go on and on.

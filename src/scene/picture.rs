@@ -2,7 +2,7 @@
 
 use super::Setting;
 use crate::camera::Pattern;
-use crate::film::{Encoding, Rounding, Transfer};
+use crate::film::{Depth, Encoding, Rounding, Transfer};
 use crate::language::{
     Attribute, Default, Location, Naming, Node, Range, Refusal, Schema, Takes, Value,
 };
@@ -25,7 +25,9 @@ pub struct Picture {
     pub max_error: f64,
     /// The curve from intensities to the values that are rounded to code values.
     pub transfer: Transfer,
-    /// How they are rounded.
+    /// What its numbers are kept in.
+    pub depth: Depth,
+    /// How values are rounded to code values.
     pub rounding: Rounding,
     /// How much a pixel may lack because mirrored and transmitted rays are not followed for ever,
     /// where the largest code value is 1; by default a quarter of a code value of 255.
@@ -94,6 +96,14 @@ impl Picture {
                  sRGB, which screens expect",
             )
             .or(Default::Word("none")),
+            Attribute::new(
+                "depth",
+                Takes::Word(&Depth::WORDS),
+                "what the picture's numbers are kept in: code values of 8 or of 16 bits, or 32-bit \
+                 floats, which are intensities; it chooses between formats as far as neither the \
+                 output's name nor `--format` does",
+            )
+            .or(Default::Word("8")),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
@@ -193,6 +203,12 @@ impl Picture {
         Self::with_properties([self.width, self.height], &node)
     }
 
+    /// How many rays go through each pixel with `max-error` before its error is looked at.
+    #[must_use]
+    pub fn first_rays(&self) -> u32 {
+        self.samples.next_power_of_two().max(Self::FEWEST_ADAPTIVE)
+    }
+
     /// How intensities become code values.
     #[must_use]
     pub fn encoding(&self) -> Encoding {
@@ -219,6 +235,7 @@ impl Picture {
             pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
             max_error: number("max-error"),
             transfer: Transfer::from_word(word("transfer").text()).unwrap_or_default(),
+            depth: Depth::from_word(word("depth").text()).unwrap_or_default(),
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
@@ -236,6 +253,7 @@ impl Picture {
             .with_property("pattern", self.pattern.word())
             .with_property("max-error", self.max_error)
             .with_property("transfer", self.transfer.word())
+            .with_property("depth", self.depth.word())
             .with_property("quantize", self.rounding.word())
             .with_property("cut-off", self.cut_off)
             .with_property("numerics", self.numerics.word())

@@ -86,7 +86,7 @@ fn the_notes_in_a_png_tell_settings_and_scene_but_no_clock_and_no_path() {
     assert_eq!(keywords, ["Software", "Settings", "Scene hash"]);
     assert_eq!(
         notes[1].1,
-        "image 40 30 samples=1 pattern=\"stratified\" max-error=0 transfer=\"none\" quantize=\"round\" cut-off=0.00098 numerics=\"robust\" texture-filter=\"nearest\""
+        "image 40 30 samples=1 pattern=\"stratified\" max-error=0 transfer=\"none\" depth=\"8\" quantize=\"round\" cut-off=0.00098 numerics=\"robust\" texture-filter=\"nearest\""
     );
     assert_eq!(notes[2].1.len(), 64);
 }
@@ -197,6 +197,96 @@ fn a_name_and_a_format_that_contradict_each_other_are_refused() {
     shell
         .run(&["render", "scene.kdl", "-o", "a.png", "--format", "png16"])
         .ends_with(0);
+}
+
+/// What a file is by its first bytes: bits of a PNG, or the word of another format.
+fn kind(bytes: &[u8]) -> &'static str {
+    // Behind the signature of 8 bytes: length, word, width, height, depth.
+    match (bytes, bytes.get(24)) {
+        ([b'P', b'6', ..], _) => "ppm",
+        ([b'P', b'F', ..], _) => "pfm",
+        (_, Some(8)) => "png 8",
+        (_, Some(16)) => "png 16",
+        _ => "unknown",
+    }
+}
+
+#[test]
+fn the_depth_chooses_the_format_that_nobody_names() {
+    for (depth, arguments, name, expected) in [
+        ("8", &[][..], "deep.png", "png 8"),
+        ("16", &[], "deep.png", "png 16"),
+        ("float", &[], "deep.pfm", "pfm"),
+        ("16", &["-o", "."], "deep.png", "png 16"),
+        ("float", &["-o", "."], "deep.pfm", "pfm"),
+        ("16", &["-o", "x.png"], "x.png", "png 16"),
+        ("8", &["--depth", "16", "-o", "x.png"], "x.png", "png 16"),
+        ("float", &["--depth", "16"], "deep.png", "png 16"),
+        ("16", &["--depth", "float"], "deep.pfm", "pfm"),
+        ("float", &["--depth", "8"], "deep.png", "png 8"),
+        // What the command line names comes before the scene.
+        ("float", &["-o", "x.png"], "x.png", "png 8"),
+        ("16", &["-o", "x.ppm"], "x.ppm", "ppm"),
+        ("16", &["-o", "x.pfm"], "x.pfm", "pfm"),
+        ("float", &["--format", "png"], "deep.png", "png 8"),
+        ("8", &["--format", "png16"], "deep.png", "png 16"),
+        ("16", &["--format", "ppm"], "deep.ppm", "ppm"),
+        (
+            "float",
+            &["--format", "png16", "--depth", "16"],
+            "deep.png",
+            "png 16",
+        ),
+    ] {
+        let shell = Shell::new();
+        let image = format!("image 40 30 depth={depth}");
+        shell.write("deep.kdl", &SCENE.replace("image 40 30", &image));
+        let run = shell.run(&[&["render", "deep.kdl"][..], arguments].concat());
+        run.ends_with(0).says(&format!("{name}, 40x30"));
+        assert_eq!(shell.files(), ["deep.kdl", name], "{depth} {arguments:?}");
+        assert_eq!(kind(&shell.read(name)), expected, "{depth} {arguments:?}");
+    }
+    let shell = Shell::with_scene();
+    for (depth, expected) in [("8", "png 8"), ("16", "png 16"), ("float", "pfm")] {
+        let run = shell.run(&["render", "scene.kdl", "-o", "-", "--depth", depth]);
+        assert_eq!(kind(&run.ends_with(0).stdout), expected);
+    }
+}
+
+#[test]
+fn a_depth_that_cannot_be_kept_is_refused() {
+    let shell = Shell::with_scene();
+    for (arguments, expected) in [
+        (
+            ["--depth", "float", "-o", "a.png"],
+            "a.png cannot have a depth of float; end it with .pfm, or ask for another --depth",
+        ),
+        (
+            ["--depth", "16", "--format", "png"],
+            "--depth 16 contradicts --format, which asks for a depth of 8; leave one of them out",
+        ),
+    ] {
+        let run = shell.run(&[&["render", "scene.kdl"][..], &arguments].concat());
+        run.ends_with(2).says(expected);
+    }
+    assert_eq!(shell.files(), ["scene.kdl"]);
+}
+
+#[test]
+fn the_settings_in_a_png_have_the_depth_that_it_has() {
+    let shell = Shell::with_scene();
+    for (arguments, expected) in [
+        (["--format", "png16"], "depth=\"16\""),
+        (["--depth", "16"], "depth=\"16\""),
+        (["--format", "png"], "depth=\"8\""),
+    ] {
+        let run = shell.run(&[&["render", "scene.kdl"][..], &arguments].concat());
+        run.ends_with(0);
+        let bytes = shell.read("scene.png");
+        let has = bytes.windows(expected.len());
+        let has = has.filter(|part| *part == expected.as_bytes());
+        assert_eq!(has.count(), 1, "{arguments:?}");
+    }
 }
 
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! From intensities to files.
 
-use heliodon::film::{Film, Format, Notes, Rounding};
+use heliodon::film::{Depth, Film, Format, Notes, Rounding};
 use heliodon::math::Rgb;
 use heliodon::texture::decode;
 
@@ -55,6 +55,20 @@ fn the_scene_chooses_the_rounding() {
     };
     assert_eq!(rounding(""), Rounding::Nearest);
     assert_eq!(rounding("quantize=\"truncate\""), Rounding::Truncate);
+}
+
+/// S16: code values have 8 bits unless the scene asks for more.
+#[test]
+fn the_scene_chooses_the_depth() {
+    let depth = |property: &str| {
+        let text = format!("image 1 1 {property}\n camera {{ viewpoint 0 0 4; screen 1 1 }}");
+        Stage::new(&text).scene().picture.depth
+    };
+    assert_eq!(depth(""), Depth::Eight);
+    assert_eq!(depth("depth=8"), Depth::Eight);
+    assert_eq!(depth("depth=16"), Depth::Sixteen);
+    assert_eq!(depth("depth=\"16\""), Depth::Sixteen);
+    assert_eq!(depth("depth=float"), Depth::Float);
 }
 
 /// S16: the chapter has no curve; the scene may ask for one, and a PNG tells of it.

@@ -99,7 +99,9 @@ fn drawn(scene: &Scene, part: Region, threads: &ThreadPool) -> (Vec<[u64; 3]>, V
     threads.install(|| {
         let film = observed_part::<Counts>(scene, Scope::CalledFor, part, &|_| ());
         let (film, _) = film.expect("a possible camera");
-        let format = Format::Ppm;
+        let mut formats = Format::ALL.into_iter();
+        let format = formats.find(|format| format.depth() == scene.picture.depth);
+        let format = format.expect("a format for each depth");
         let print = printed_part::<Counts>(scene, Scope::CalledFor, part, format, &|_| ());
         let (print, _): (Print, _) = print.expect("a possible camera");
         let pixels = film.pixels().iter();
@@ -137,10 +139,11 @@ fn every_dial_gives_the_same_bytes_in_tiles_of_any_size_on_any_number_of_threads
                     height: rows.min(height - top),
                 };
                 let (found, printed) = drawn(&scene, tile, &pools[threads - 1]);
+                let size = bytes.len() / bits.len();
                 for (number, [column, row]) in tile.places().enumerate() {
                     let place = row * width + column;
                     let same = found[number] == bits[place]
-                        && printed[3 * number..][..3] == bytes[3 * place..][..3];
+                        && printed[size * number..][..size] == bytes[size * place..][..size];
                     assert!(
                         same,
                         "{settings:?} {tile:?} {threads} threads: {column},{row}"

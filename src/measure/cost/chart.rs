@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::Cost;
 use super::plot::axes;
+use crate::measure::plot::seconds;
 
 /// The letter of each rung in the table and in the plot.
 pub(super) fn letters() -> impl Iterator<Item = char> {
@@ -37,7 +38,7 @@ pub(super) fn chart(cost: &Cost) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {mark:>6} │{}", cells.trim_end());
     }
-    let [least, most] = [time.least, time.most].map(|time| format!("{:.0} ms", 1000.0 * time));
+    let [least, most] = [time.least, time.most].map(|time| seconds(to_two_digits(time)));
     let _ = writeln!(text, "         └{}", "─".repeat(WIDTH));
     let _ = writeln!(
         text,
@@ -45,6 +46,11 @@ pub(super) fn chart(cost: &Cost) -> String {
         rest = WIDTH - least.len()
     );
     text
+}
+
+/// The number to two digits.
+fn to_two_digits(number: f64) -> f64 {
+    format!("{number:.1e}").parse().unwrap_or(number)
 }
 
 /// The cell of a share from 0 to 1.

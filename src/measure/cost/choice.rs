@@ -113,12 +113,7 @@ impl Cost {
     /// The most accurate rung that takes no longer than so many seconds.
     #[must_use]
     pub fn within(&self, budget: f64) -> Best {
-        let fast = self.rungs.iter().filter(|rung| rung.wall.median <= budget);
-        let best = fast.min_by(|one, other| {
-            let by_error = one.deviation.rmse.total_cmp(&other.deviation.rmse);
-            by_error.then(one.wall.median.total_cmp(&other.wall.median))
-        });
-        match best {
+        match within(&self.rungs, budget) {
             Some(rung) => Best {
                 label: Some(rung.label.clone()),
                 why: format!(
@@ -163,6 +158,14 @@ fn cheapest(rungs: &[Measured], limit: Limit) -> Option<&Measured> {
     good.min_by(|one, other| one.cpu.median.total_cmp(&other.cpu.median))
 }
 
+fn within(rungs: &[Measured], budget: f64) -> Option<&Measured> {
+    let fast = rungs.iter().filter(|rung| rung.wall.median <= budget);
+    fast.min_by(|one, other| {
+        let by_error = one.deviation.rmse.total_cmp(&other.deviation.rmse);
+        by_error.then(one.wall.median.total_cmp(&other.wall.median))
+    })
+}
+
 fn seconds(rung: &Measured) -> String {
     format!("{:.3}", rung.cpu.median)
 }
@@ -170,6 +173,74 @@ fn seconds(rung: &Measured) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn rungs() -> [Measured; 4] {
+        [
+            Measured::example("slow", 4.0, 0.001),
+            Measured::example("fast", 1.0, 0.1),
+            Measured::example("perfect", 8.0, 0.0),
+            Measured::example("middle", 2.0, 0.001),
+        ]
+    }
+
+    #[test]
+    fn the_cheapest_that_is_good_enough_is_named() {
+        for (limit, expected) in [
+            ("rmse=0.2", "fast"),
+            ("rmse=0.1", "fast"),
+            ("rmse=0.05", "middle"),
+            ("rmse=0.0001", "perfect"),
+            ("max=100", "fast"),
+            ("max=99", "middle"),
+            ("max=0.5", "perfect"),
+            ("off=1", "fast"),
+            ("off=0.5", "middle"),
+            ("off=0", "perfect"),
+            ("psnr=20", "fast"),
+            ("psnr=21", "middle"),
+            ("psnr=61", "perfect"),
+            ("ssim=0.9", "fast"),
+            ("ssim=0.91", "middle"),
+            ("ssim=1", "perfect"),
+        ] {
+            let rungs = rungs();
+            let best = cheapest(&rungs, Limit::new(limit).expect("a limit"));
+            assert_eq!(
+                best.map(|rung| rung.label.as_str()),
+                Some(expected),
+                "{limit}"
+            );
+        }
+        let [.., perfect, _] = rungs();
+        assert!(cheapest(&[perfect], Limit::new("ssim=1.1").expect("a limit")).is_none());
+    }
+
+    #[test]
+    fn the_most_accurate_within_a_time_is_named() {
+        for (budget, expected) in [
+            (0.4, None),
+            (0.5, Some("fast")),
+            (1.9, Some("middle")),
+            (3.0, Some("middle")),
+            (4.0, Some("perfect")),
+        ] {
+            let rungs = rungs();
+            let best = within(&rungs, budget);
+            assert_eq!(best.map(|rung| rung.label.as_str()), expected, "{budget}");
+        }
+    }
+
+    #[test]
+    fn an_error_of_one_code_value_is_recommended_or_else_the_least() {
+        let [slow, fast, perfect, middle] = rungs();
+        let code = Measured::example("one code value", 1.5, 1.0 / 255.0);
+        let above = Measured::example("above", 1.2, 1.1 / 255.0);
+        let best = recommended(&[slow, fast.clone(), perfect, middle, code, above.clone()]);
+        assert_eq!(best.label.as_deref(), Some("one code value"));
+        let best = recommended(&[fast, above]);
+        assert_eq!(best.label.as_deref(), Some("above"));
+        assert!(best.why.starts_with("no rung has"), "{}", best.why);
+    }
 
     #[test]
     fn a_limit_is_a_measure_and_a_number() {

@@ -73,6 +73,12 @@ pub const DIALS: &[Dial] = &[
         ..Dial::PLAIN
     },
     Dial {
+        word: "depth",
+        steps: &["8", "16", "float"],
+        in_writing: true,
+        ..Dial::PLAIN
+    },
+    Dial {
         word: "quantize",
         steps: &["truncate", "round"],
         in_writing: true,

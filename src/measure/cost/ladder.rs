@@ -1,6 +1,7 @@
 //! Which settings are tried.
 
 use super::Dial;
+use crate::film::{Depth, Rounding};
 use crate::language::Refusal;
 use crate::plan::Effect;
 use crate::scene::{Picture, Setting};
@@ -48,7 +49,15 @@ impl Variation {
                 step => format!("{step:?} is no {word}: {expected}"),
             })
         });
-        Ok(Self(settings.collect::<Result<_, _>>()?))
+        let settings = settings.collect::<Result<_, _>>()?;
+        if Dial::of(word).is_none() {
+            let dials: Vec<_> = Dial::all().map(|dial| dial.word).collect();
+            return Err(format!(
+                "no {word} is more accurate than another; expected one of {} before =",
+                dials.join(", ")
+            ));
+        }
+        Ok(Self(settings))
     }
 }
 
@@ -65,7 +74,8 @@ impl Ladder {
             for step in dial.steps {
                 let setting = Setting::new(dial.word, step).ok();
                 // What cannot be combined is no step of this ladder.
-                let _ = ladder.add(base, beside.iter().cloned().chain(setting).collect());
+                let settings = beside.iter().cloned().chain(setting).collect();
+                let _ = ladder.add(base, Some(dial.word), settings);
             }
         }
         ladder
@@ -78,7 +88,7 @@ impl Ladder {
     pub fn of_each(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
         let mut ladder = Self::starting_at(base);
         for setting in variations.iter().flat_map(|variation| &variation.0) {
-            ladder.add(base, vec![setting.clone()])?;
+            ladder.add(base, Some(setting.word()), vec![setting.clone()])?;
         }
         Ok(ladder)
     }
@@ -99,7 +109,11 @@ impl Ladder {
         }
         let mut ladder = Self::starting_at(base);
         for settings in combinations {
-            ladder.add(base, settings)?;
+            let alone = match settings.as_slice() {
+                [alone] => Some(alone.word()),
+                _ => None,
+            };
+            ladder.add(base, alone, settings)?;
         }
         Ok(ladder)
     }
@@ -114,26 +128,25 @@ impl Ladder {
         }])
     }
 
-    /// Adds a rung, unless one gives the same picture.
-    fn add(&mut self, base: Picture, settings: Vec<Setting>) -> Result<(), Refusal> {
+    /// Adds a rung, which turns this dial alone if any, unless another gives the same picture.
+    fn add(
+        &mut self,
+        base: Picture,
+        dial: Option<&'static str>,
+        settings: Vec<Setting>,
+    ) -> Result<(), Refusal> {
         let with = |picture: Picture, setting| picture.with(setting);
         let rung = Rung {
             label: label(&settings),
             picture: settings.iter().fold(base, with),
-            dial: match settings.as_slice() {
-                [] => None,
-                [alone] => Some(alone.word()),
-                [.., last] => Dial::of(last.word())
-                    .filter(|dial| dial.beside.len() + 1 == settings.len())
-                    .filter(|dial| !dial.beside.is_empty())
-                    .map(|dial| dial.word),
-            },
+            dial,
             also: Vec::new(),
             settings,
         };
         rung.picture.check()?;
         let same = |other: &Rung| {
-            other.picture == rung.picture && other.is_as_written() == rung.is_as_written()
+            let [one, two] = [other, &rung].map(|it| (seen(it.picture), it.is_as_written()));
+            one == two
         };
         match self.0.iter().position(same) {
             // The scene as it is, is a step of all dials without that.
@@ -151,6 +164,18 @@ impl Rung {
     pub fn is_as_written(&self) -> bool {
         let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
         dials.flatten().any(|dial| dial.in_writing)
+    }
+}
+
+/// The settings that can be seen in a picture: floats are not rounded to code values.
+fn seen(picture: Picture) -> Picture {
+    let rounding = match picture.depth {
+        Depth::Eight | Depth::Sixteen => picture.rounding,
+        Depth::Float => Rounding::default(),
+    };
+    Picture {
+        rounding,
+        ..picture
     }
 }
 
@@ -207,6 +232,11 @@ mod tests {
             "samples=4 numerics=robust",
         ];
         assert_eq!(labels(&all), expected);
+        let variations = ["samples=4", "pattern=grid,random"];
+        let variations = variations.map(|text| Variation::new(text).expect("a variation"));
+        let all = Ladder::of_all(base(), &variations).expect("a ladder");
+        let turned = all.0.iter().map(|rung| rung.dial);
+        assert!(turned.eq([None; 3]), "no dial is turned alone");
     }
 
     #[test]
@@ -219,6 +249,10 @@ mod tests {
                 "\"0\" is no samples: expected a whole number from 1",
             ),
             ("samples=1,,4", "between the commas"),
+            (
+                "transfer=srgb",
+                "no transfer is more accurate than another; expected one of samples, ",
+            ),
             (
                 "numerics=f32",
                 "\"f32\" is no numerics: expected \"robust\"",

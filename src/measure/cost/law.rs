@@ -107,6 +107,7 @@ pub fn exponent(points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::measured::Own;
     use super::*;
 
     #[test]
@@ -130,5 +131,47 @@ mod tests {
         let alike = [[1.0, 0.1, 0.1], [1.05, 0.01, 0.01], [1.02, 0.001, 0.001]];
         assert_eq!(trade(&alike), Trade::Free);
         assert_eq!(trade(&[]), Trade::Free);
+        let worse = [[1.0, 1.0, 0.1], [2.0, 2.0, 0.2]];
+        assert_eq!(trade(&worse), Trade::Free, "longer and no more accurate");
+    }
+
+    /// Steps of a dial: what it is turned to if that is a number, the time, and the dial's own error.
+    fn steps<const N: usize>(steps: [(Option<f64>, f64, f64); N]) -> [Measured; N] {
+        steps.map(|(value, seconds, rmse)| Measured {
+            own: vec![Own {
+                dial: "samples",
+                value,
+                rmse,
+            }],
+            // Its error against the reference is of no account.
+            ..Measured::example(&format!("{value:?} {seconds}"), seconds, 0.5)
+        })
+    }
+
+    #[test]
+    fn a_law_is_that_of_the_own_errors_above_zero() {
+        let steps = steps([
+            (Some(1.0), 1.0, 0.4),
+            (Some(2.0), 4.0, 0.1),
+            (Some(3.0), 9.0, 0.0),
+            (Some(4.0), 8.0, 0.0),
+        ]);
+        let law = law("samples", &steps).expect("a law");
+        assert_eq!(law.most_accurate, "Some(4.0) 8");
+        let Trade::Power {
+            of_time, of_value, ..
+        } = law.trade
+        else {
+            panic!("no power");
+        };
+        assert!((of_time + 1.0).abs() < 1e-9 && (of_value + 2.0).abs() < 1e-9);
+        assert_eq!(super::law("pattern", &steps), None, "it was not turned");
+    }
+
+    #[test]
+    fn words_follow_no_law() {
+        let steps = steps([(Some(1.0), 1.0, 0.4), (None, 4.0, 0.1)]);
+        let law = law("samples", &steps).expect("a law");
+        assert_eq!(law.trade, Trade::Words);
     }
 }

@@ -86,6 +86,38 @@ impl Measured {
     }
 }
 
+#[cfg(test)]
+impl Measured {
+    /// A rung that takes so many seconds of processor time and half as many on the clock, and is so far
+    /// off.
+    pub(super) fn example(label: &str, seconds: f64, rmse: f64) -> Self {
+        Self {
+            label: label.to_owned(),
+            dial: None,
+            value: None,
+            runs: 1,
+            cpu: Timing::of(&[seconds]),
+            wall: Timing::of(&[seconds / 2.0]),
+            rays: 1,
+            counts: Counts::default(),
+            deviation: Deviation {
+                change: crate::measure::Change {
+                    largest: 1000.0 * rmse,
+                    pixels: 10.0 * rmse,
+                },
+                rmse,
+                psnr: (rmse > 0.0).then(|| -20.0 * libm::log10(rmse)),
+                ssim: 1.0 - rmse,
+            },
+            own: Vec::new(),
+            efficiency: None,
+            dominated_by: None,
+            blame: None,
+            pictures: None,
+        }
+    }
+}
+
 /// A rung that is drawn again and again.
 pub(super) struct Subject {
     rung: Rung,

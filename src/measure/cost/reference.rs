@@ -113,12 +113,12 @@ fn mixed(one: &Film, other: &Film, weight: f64) -> Film {
     mixed
 }
 
-/// A picture as it is written in 8 bits.
+/// A picture as it is shown once it is written.
 pub(super) fn written(film: &Film, picture: Picture) -> Film {
     let mut written = film.clone();
     for pixel in written.pixels_mut() {
         let channels = pixel.channels();
-        let [r, g, b] = channels.map(|c| f64::from(picture.encoding().code(c, 255)) / 255.0);
+        let [r, g, b] = channels.map(|it| picture.depth.shown(it, picture.encoding()));
         *pixel = Rgb::new(r, g, b);
     }
     written

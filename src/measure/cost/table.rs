@@ -119,12 +119,12 @@ impl Law {
             Trade::Words => {
                 let steps = rungs.iter().filter_map(|rung| {
                     let own = rung.own(dial)?;
-                    Some(format!(
-                        "{} errs by {:.6} in {}",
-                        rung.label,
-                        own.rmse,
-                        median(rung.cpu)
-                    ))
+                    let error = match own.rmse {
+                        tiny if tiny > 0.0 && tiny < 1e-4 => format!("{tiny:.1e}"),
+                        error => format!("{error:.6}"),
+                    };
+                    let time = median(rung.cpu);
+                    Some(format!("{} errs by {error} in {time}", rung.label))
                 });
                 let steps: Vec<_> = steps.collect();
                 format!("{dial}: by itself {}", steps.join(", "))

@@ -33,8 +33,9 @@ impl Frame {
 
     /// Draws a line and a number at each mark of both axes, those of the vertical one only if asked for.
     pub(in crate::measure) fn draw(&self, svg: &mut Svg, x: Write, y: Option<Write>) {
-        /// Numbers that are closer than this are left out.
-        const APART: f64 = 42.0;
+        /// How wide a letter is, and the least room between two numbers; what has less is left out.
+        const LETTER: f64 = 6.8;
+        const GAP: f64 = 8.0;
         let [[left, right], [top, bottom]] = [self.across, self.down];
         for mark in self.y.marks() {
             let [_, at] = self.place([self.x.least, mark]);
@@ -46,10 +47,13 @@ impl Frame {
         let mut last = f64::NEG_INFINITY;
         for mark in self.x.marks() {
             let [at, _] = self.place([mark, self.y.least]);
-            if at - last >= APART {
-                last = at;
+            let number = x(mark);
+            #[expect(clippy::cast_precision_loss, reason = "a few letters")]
+            let half = LETTER * number.chars().count() as f64 / 2.0;
+            if at - half - last >= GAP {
+                last = at + half;
                 svg.line("grid", [at, top], [at, bottom]);
-                svg.text("mark", "middle", [at, self.foot], &x(mark));
+                svg.text("mark", "middle", [at, self.foot], &number);
             }
         }
     }
