@@ -48,7 +48,7 @@ impl Ball {
 }
 
 /// Whether two places are so far apart that rounding turns the way between them by no more than a
-/// sixteenth of [`APART`].
+/// sixteenth of `APART`.
 #[must_use]
 pub fn is_clear(a: DVec3, b: DVec3, distance: f64) -> bool {
     let size = Point::exact(a).size() + Point::exact(b).size();
