@@ -11,6 +11,7 @@ use crate::surface::{Lamp, Surface};
 pub struct LampView<'a> {
     /// The lamp.
     pub lamp: &'a Lamp,
+    body: Body,
     /// Everything that can cast a shadow, in file order.
     casters: Vec<Caster<'a>>,
     /// Lists of them, by their places, of which each serves one surface or more.
@@ -46,7 +47,11 @@ pub enum Between<'v, 'a> {
 
 /// The surfaces that may stand between a lamp and a place.
 #[derive(Debug)]
-pub struct Casters<'v, 'a>(Vec<&'v Caster<'a>>);
+pub struct Casters<'v, 'a> {
+    lamp: &'v Body,
+    from: &'v Entry<'a>,
+    all: Vec<&'v Caster<'a>>,
+}
 
 /// As for lights: of more surfaces, all share one list.
 const MOST_LISTS: usize = 128;
@@ -109,13 +114,14 @@ impl<'a> LampView<'a> {
         let casters: Vec<_> = casters.collect();
         let mut view = Self {
             lamp,
+            body,
             lists: vec![(0..casters.len()).collect()],
             list_of: vec![None; bodies.len()],
             casters,
             asks_all,
         };
         for (index, receiver) in bodies.iter().enumerate() {
-            if !(body.is_before(receiver) && receiver.is_before(&body)) {
+            if !(view.body.is_before(receiver) && receiver.is_before(&view.body)) {
                 continue;
             }
             view.list_of[index] = Some(0);
@@ -123,7 +129,7 @@ impl<'a> LampView<'a> {
                 view.list_of[index] = Some(view.lists.len());
                 let can_hide = |caster: &usize| {
                     let caster = &bodies[view.casters[*caster].entry.index];
-                    caster.can_hide_lamp(&body, receiver)
+                    caster.can_hide_lamp(&view.body, receiver)
                 };
                 let list = view.lists[0].iter().copied().filter(can_hide).collect();
                 view.lists.push(list);
@@ -142,8 +148,7 @@ impl<'a> LampView<'a> {
     /// Whether some of the lamp lies strictly before a surface's plane, or the surface is not flat.
     #[must_use]
     pub fn is_before(&self, surface: &dyn Surface) -> bool {
-        let lamp = Body::of_surface(self.lamp, None);
-        lamp.is_before(&Body::of_surface(surface, None))
+        self.body.is_before(&Body::of_surface(surface, None))
     }
 
     /// The surfaces, by their places in the list, that can stand between the lamp and this one.
@@ -179,7 +184,12 @@ impl<'a> LampView<'a> {
     ///
     /// `is_open` says that nothing but surfaces ends a ray to the lamp.
     #[must_use]
-    pub fn between(&self, entry: &Entry<'_>, ray: &Ray, is_open: bool) -> Between<'_, 'a> {
+    pub fn between<'v>(
+        &'v self,
+        entry: &'v Entry<'a>,
+        ray: &Ray,
+        is_open: bool,
+    ) -> Between<'v, 'a> {
         let list = self.list_of[entry.index].map_or(&[][..], |list| &self.lists[list]);
         let left = ray.leaves();
         let casters = list.iter().map(|index| &self.casters[*index]);
@@ -198,7 +208,11 @@ impl<'a> LampView<'a> {
         if doubtful.is_empty() && !self.asks_all {
             Between::Nothing
         } else {
-            Between::Some(Casters(doubtful))
+            Between::Some(Casters {
+                lamp: &self.body,
+                from: entry,
+                all: doubtful,
+            })
         }
     }
 }
@@ -210,14 +224,16 @@ impl Casters<'_, '_> {
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut passed = Rgb::WHITE;
         let mut crossed: Vec<Support> = Vec::new();
-        for caster in &self.0 {
+        for caster in &self.all {
             *tests += 1;
             let Entry {
                 surface, support, ..
             } = caster.entry;
             let side = caster.side.unwrap_or_else(|| surface.side(&segment.end));
             let is_known = support.is_some_and(|support| crossed.contains(&support));
-            if is_known || !surface.occludes(segment, side) {
+            let can_hide =
+                || Body::of(&caster.entry).can_hide_lamp(self.lamp, &Body::of(self.from));
+            if is_known || !caster.entry.hides(segment, side, can_hide) {
                 continue;
             }
             if surface.common().material.transparency == 0.0 {

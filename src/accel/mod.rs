@@ -26,7 +26,9 @@ use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::math::{Curve, Decisions, Departure, Flat, Limits, Ray, Rgb, Span, Support};
+use crate::math::{
+    Curve, Decisions, Departure, Flat, Limits, Ray, Rgb, Segment, Side, Span, Support,
+};
 use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
 
@@ -283,6 +285,17 @@ impl<'a> Entry<'a> {
     /// Whether the surface lies on a sheet, if it is known to lie on one.
     fn lies_on(&self, sheet: Option<Support>) -> bool {
         sheet.is_some() && self.support == sheet
+    }
+
+    /// Whether the surface stands between the ends of a segment; `end` is the side of the surface that the
+    /// segment's end is on. `can_hide` tells whether it can hide some of the end from some of what the segment starts on.
+    ///
+    /// A start next to the surface's plane inherits its side of it, so it is that of the rays that came
+    /// here, which need not be one on which what it lies on has any part. What is proven to hide nothing
+    /// hides nothing, asked or not.
+    fn hides(&self, segment: &Segment, end: Side, can_hide: impl FnOnce() -> bool) -> bool {
+        let is_doubtful = |flat: &Flat| flat.is_next_to_start(&segment.ray);
+        self.surface.occludes(segment, end) && (!self.flat.is_some_and(is_doubtful) || can_hide())
     }
 
     /// Whether a hit of this surface comes before that of another: if it is nearer, or as near and

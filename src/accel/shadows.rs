@@ -37,6 +37,7 @@ struct CasterTree {
 /// What a light has before one of the surfaces that it can light.
 #[derive(Debug, Clone, Copy)]
 pub struct Before<'v, 'a> {
+    from: &'v Entry<'a>,
     casters: &'v [Caster<'a>],
     tree: Option<&'v CasterTree>,
 }
@@ -191,8 +192,9 @@ impl<'a> LightView<'a> {
     /// What can stand between the light and a surface; `None` if it is not to light the surface at all.
     #[must_use]
     #[inline(always)]
-    pub fn before(&self, entry: &Entry<'_>) -> Option<Before<'_, 'a>> {
+    pub fn before<'v>(&'v self, entry: &'v Entry<'a>) -> Option<Before<'v, 'a>> {
         Some(Before {
+            from: entry,
             casters: &self.casters[self.list_of[entry.index]?],
             tree: self.tree.as_ref(),
         })
@@ -226,10 +228,17 @@ impl Blockers<'_, '_> {
     /// the first in the file counts. `tests` is raised by the number of surfaces that are asked.
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
-        let Before { casters, tree } = self.before;
+        let Before {
+            from,
+            casters,
+            tree,
+        } = self.before;
         let mut hides = |caster: &Caster<'_>| {
             *tests += 1;
-            caster.entry.surface.occludes(segment, caster.side)
+            let Caster { entry, side, .. } = caster;
+            entry.hides(segment, *side, || {
+                Body::of(entry).can_hide(segment.end.world(), *side, &Body::of(from))
+            })
         };
         let can_meet = |caster: &Caster<'_>| caster.can_meet(&segment.ray, self.hit);
         let Some(CasterTree {

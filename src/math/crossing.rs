@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::band::{GRAZING, HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
 use super::exact::Sign;
-use super::{Decisions, Flat, Ray, Segment, Side, Span};
+use super::{Decisions, Departure, Flat, Ray, Segment, Side, Span};
 
 /// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
 #[derive(Debug, Clone, Copy)]
@@ -227,9 +227,7 @@ impl Flat {
                 inherited = true;
                 break self.exact_slope(ray.dir).sign();
             }
-            let (way, size) = ray.origin.seen_from(self.point);
-            let height = self.normal.dot(way);
-            if height.abs() > HEIGHT * size + self.slack + departure.rounding() {
+            if let Some(height) = self.certain_height(departure) {
                 break Sign::of(height);
             }
             inherited = true;
@@ -240,5 +238,20 @@ impl Flat {
         }
         Decisions::note(true);
         (side, Some(rounding))
+    }
+    /// The height of a hit above the plane, unless it is so close to the plane that rounding leaves doubt about
+    /// its side.
+    fn certain_height(&self, hit: &Departure<'_>) -> Option<f64> {
+        let (way, size) = hit.point.seen_from(self.point);
+        let height = self.normal.dot(way);
+        let is_certain = height.abs() > HEIGHT * size + self.slack + hit.rounding();
+        is_certain.then_some(height)
+    }
+
+    /// Whether a ray leaves a hit so close to the plane that its side of it is not measured.
+    #[must_use]
+    pub fn is_next_to_start(&self, ray: &Ray) -> bool {
+        let departure = ray.departure;
+        departure.is_some_and(|departure| self.certain_height(departure).is_none())
     }
 }
