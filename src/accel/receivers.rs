@@ -154,8 +154,9 @@ impl Body {
         let (Some(own), Some(other)) = (self.ball(), other.ball()) else {
             return false;
         };
-        own.cone_from(light)
-            .is_some_and(|(axis, half_angle)| other.is_outside(light, axis, half_angle))
+        own.cone_from(light).is_some_and(|(axis, half_angle)| {
+            other.is_outside(light, axis, half_angle) && own.is_told_from(light, &other)
+        })
     }
 
     /// A ball around it, if it has an end.
@@ -193,14 +194,16 @@ impl Body {
 }
 
 /// Six times the volume of a tetrahedron, positive for one turn of its corners and negative for the
-/// other; zero if rounding leaves doubt about which it is.
+/// other; zero if rounding leaves doubt about which it is, or about how a ray from `c` to the `top` passes `a` and `b`.
 fn volume(top: DVec3, a: DVec3, b: DVec3, c: DVec3) -> f64 {
     // Each difference, product and sum is rounded once, 11 on the longest path; corners may be
     // rounded too, and points that are computed on a surface lie off it by 16 roundings. All are
-    // relative to products of sums of coordinates.
+    // relative to products of sums of coordinates. The direction of a ray is rounded, too: it passes the
+    // top as far off as if that were moved by a few roundings of the whole way.
     const BOUND: f64 = 128.0 * UNIT;
     let size = |point: DVec3| Point::exact(point).size() + Point::exact(top).size();
     let volume = (a - top).cross(b - top).dot(c - top);
-    let doubt = BOUND * size(a) * size(b) * size(c);
+    let [a, b, c] = [a, b, c].map(size);
+    let doubt = BOUND * c * (a * b + (a + b) * c);
     if volume.abs() > doubt { volume } else { 0.0 }
 }

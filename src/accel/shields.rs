@@ -21,8 +21,8 @@ pub(super) enum Shield {
         radius: f64,
         lamp: (DVec3, f64),
     },
-    /// One that is behind the lamp.
-    Behind,
+    /// One that is behind the lamp, by more than rounding for a way of this size.
+    Behind { farthest: f64 },
     /// One of which nothing is known.
     Unknown,
 }
@@ -49,14 +49,15 @@ pub(super) struct Border {
 #[derive(Debug)]
 struct Plane {
     normal: DVec3,
-    /// What a height above it can be off by: so much, and this share of the place's size.
-    doubt: [f64; 2],
+    /// What a height above it can be off by, as a polynomial in the place's size.
+    doubt: [f64; 3],
 }
 
 /// How far a rounded number here can be from what it stands for, in units of the sizes that it was
 /// made of: 2⁻⁴³. Corners, places and points of a lamp are off by 16 roundings of their size at most,
 /// a product of three differences of them by three times two of these and 11 more; that is
-/// far less. Nothing depends on the rest, since whatever is in doubt is asked.
+/// far less. A ray whose direction is rounded passes a corner of the lamp as far off as if that were moved by a few
+/// roundings of the whole way. Nothing depends on the rest, since whatever is in doubt is asked.
 const BLUR: f64 = 1024.0 * UNIT;
 
 impl Shield {
@@ -78,13 +79,14 @@ impl Shield {
             return Self::Unknown;
         };
         let radius = axes.max_element();
-        let is_behind = lamp.flat().is_some_and(|flat| {
+        let farthest = lamp.flat().map(|flat| {
             let (way, size) = Point::exact(center).seen_from(flat.point);
             let base = Point::exact(flat.point).size();
-            flat.normal.dot(way) + radius < -BLUR * (size + base + radius) - flat.slack()
+            let gap = -flat.normal.dot(way) - radius - flat.slack();
+            gap / BLUR - (size + base + radius)
         });
-        if is_behind {
-            return Self::Behind;
+        if let Some(farthest) = farthest.filter(|farthest| *farthest > 0.0) {
+            return Self::Behind { farthest };
         }
         Self::Ball {
             center,
@@ -126,7 +128,8 @@ impl Shield {
                     Stand::Doubtful
                 }
             }
-            Self::Behind => Stand::Beside,
+            Self::Behind { farthest } if hit.size() < *farthest => Stand::Beside,
+            Self::Behind { .. } => Stand::Doubtful,
             Self::Unknown => Stand::Doubtful,
         }
     }
@@ -207,12 +210,17 @@ impl Plane {
         let normal = (from - corner).cross(to - corner);
         let size = |point: DVec3| (point.abs() + corner.abs()).element_sum();
         let share = BLUR * size(from) * size(to);
+        let bend = BLUR * (size(from) + size(to));
         let height = normal.dot(inner - from);
         let turned = height < 0.0;
         (height.abs() > share * size(inner)).then(|| {
             let plane = Self {
                 normal: if turned { -normal } else { normal },
-                doubt: [share * (size(from) + corner.abs().element_sum()), share],
+                doubt: [
+                    share * (size(from) + corner.abs().element_sum()),
+                    share,
+                    bend,
+                ],
             };
             (plane, turned)
         })
@@ -220,7 +228,8 @@ impl Plane {
 
     fn side(&self, way: DVec3, size: f64, astray: f64) -> Option<Side> {
         let height = self.normal.dot(way);
-        let doubt = self.doubt[0] + self.doubt[1] * size + self.normal.abs().element_sum() * astray;
+        let [fixed, share, bend] = self.doubt;
+        let doubt = fixed + (share + bend * size) * size + self.normal.abs().element_sum() * astray;
         (height.abs() > doubt).then_some(if height > 0.0 {
             Side::Front
         } else {

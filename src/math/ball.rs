@@ -45,6 +45,13 @@ impl Ball {
             libm::acos(cosine) - own > half_angle + APART
         })
     }
+
+    /// Whether a way from another ball to this place, whose rounding is that of its whole length, passes this
+    /// one by an angle that is still known where both are in cones with their top in the place.
+    #[must_use]
+    pub fn is_told_from(&self, place: DVec3, other: &Self) -> bool {
+        is_clear(other.center, place, (self.center - place).length())
+    }
 }
 
 /// Whether two places are so far apart that rounding turns the way between them by no more than a
