@@ -17,6 +17,7 @@ mod oracle {
     mod chance;
     mod closed;
     mod equality;
+    mod penumbras;
     mod place;
     mod proofs;
     mod search;

@@ -14,13 +14,18 @@ pub(crate) type Boxed = Box<dyn Surface>;
 
 /// What surfaces of the cases have in common: nothing of interest.
 pub(crate) fn common() -> Common {
+    letting_through(0.5)
+}
+
+/// What every surface has, of a material that lets this share of light through.
+pub(crate) fn letting_through(transparency: f64) -> Common {
     let material = Material {
         name: "gray".to_owned(),
         ambient: Rgb::WHITE,
         diffuse: Rgb::WHITE,
         specular: Rgb::WHITE,
         shininess: 0.0,
-        transparency: 0.5,
+        transparency,
         ior: None,
     };
     Common::new(Arc::new(material))

@@ -5,7 +5,7 @@ use heliodon::accel::{Before, LightView, SurfaceList};
 use heliodon::math::{Point, Ray, Rgb, Segment, Side, Span, unit};
 use heliodon::surface::{FinitePlane, Hit, weld};
 
-use super::cases::{Boxed, common, rectangle, rim, round, triangle};
+use super::cases::{Boxed, letting_through, rectangle, rim, round, triangle};
 use super::equality::{SEED, cases};
 use super::random::{Random, Style};
 
@@ -68,13 +68,15 @@ fn passed(before: &Before<'_, '_>, hit: &Hit, segment: &Segment, tests: &mut u64
 }
 
 /// Where a scene is and how large.
-struct Place {
-    far: f64,
-    scale: f64,
+pub(super) struct Place {
+    pub(super) far: f64,
+    pub(super) scale: f64,
+    /// The share of light that passes its sheets.
+    pub(super) transparency: f64,
 }
 
 impl Place {
-    fn any(random: &mut Random) -> Self {
+    pub(super) fn any(random: &mut Random) -> Self {
         let power = |random: &mut Random| random.pick(&[2f64.powi(-60), 2f64.powi(60)]);
         Self {
             far: random.pick(&[0.0, 0.0, 1e9]),
@@ -83,11 +85,12 @@ impl Place {
             } else {
                 1.0
             },
+            transparency: 0.5,
         }
     }
 
     /// Somewhere in the scene; half of the coordinates are shared with others.
-    fn free(&self, random: &mut Random) -> DVec3 {
+    pub(super) fn free(&self, random: &mut Random) -> DVec3 {
         let style = random.pick(&[Style::Whole, Style::Whole, Style::Decimal]);
         self.moved(random.vector(style))
     }
@@ -97,7 +100,7 @@ impl Place {
     }
 
     /// A few surfaces: boxes that meet in edges and corners and at Ts, or anything.
-    fn furniture(&self, random: &mut Random) -> Vec<Boxed> {
+    pub(super) fn furniture(&self, random: &mut Random) -> Vec<Boxed> {
         if random.once_in(3) {
             let style = random.style();
             let kinds = [rectangle, rectangle, triangle, round];
@@ -123,13 +126,19 @@ impl Place {
         let (normal, xdir) = (DVec3::AXES[axis], DVec3::AXES[(axis + 1) % 3]);
         let facing = random.pick(&[-1.0, 1.0]);
         let corner = self.moved(corner.into());
-        let made = FinitePlane::new(common(), corner, normal * facing, xdir, size);
+        let made = FinitePlane::new(
+            letting_through(self.transparency),
+            corner,
+            normal * facing,
+            xdir,
+            size,
+        );
         Box::new(made.expect("a rectangle"))
     }
 }
 
 /// A place on a surface, or where the shadow of one's border falls, or a little beside either.
-fn aimed(random: &mut Random, surfaces: &[Boxed], light: DVec3) -> DVec3 {
+pub(super) fn aimed(random: &mut Random, surfaces: &[Boxed], light: DVec3) -> DVec3 {
     let any = |random: &mut Random| {
         &surfaces[random.below(u32::try_from(surfaces.len()).unwrap_or(1)) as usize]
     };
