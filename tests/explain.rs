@@ -301,6 +301,29 @@ fn no_tree_is_promised_to_classic_numerics() {
 }
 
 #[test]
+fn of_too_many_surfaces_it_is_said_that_nobody_knows_which_can_shadow_which() {
+    let scene = format!("{}/many-lit-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
+    for (count, is_known) in [(128, true), (129, false)] {
+        let light = "light \"sun\" { location 0 50 9; emissivity 9 }\n";
+        let text = balls(count, "").replace("ambient 1", "diffuse 1") + light;
+        fs::write(&scene, text).expect("a scene");
+        let says = "    which surface can shadow which is worked out for 128 surfaces at most; \
+                    of more, all are searched\n";
+        let (text, _, _) = said(&["explain", &scene]);
+        assert_eq!(text.contains(says), !is_known, "{text}");
+        let answer = answer(&["explain", &scene, "--json"]);
+        for list in ["casters", "casts_nothing"] {
+            assert_eq!(answer["lights"][0][list].is_array(), is_known, "{count}");
+            assert_eq!(answer["lights"][0][list].is_null(), !is_known, "{count}");
+        }
+        // What it lights none of is not searched for anything.
+        fs::write(&scene, balls(count, "") + light).expect("a scene");
+        let (text, _, _) = said(&["explain", &scene]);
+        assert!(!text.contains(says), "{text}");
+    }
+}
+
+#[test]
 fn a_pixel_outside_of_the_picture_is_refused() {
     let (_, error, code) = said(&["explain", "scenes/room.kdl", "--pixel", "800,0"]);
     assert_eq!(code, 2);

@@ -2,7 +2,7 @@
 
 use super::receivers::Body;
 use super::shields::{Shield, Stand};
-use super::{Entry, SurfaceList};
+use super::{Entry, MOST_LISTS, SurfaceList};
 use crate::math::{Ray, Rgb, Segment, Side, Support};
 use crate::surface::{Lamp, Surface};
 
@@ -47,9 +47,6 @@ pub enum Between<'v, 'a> {
 /// The surfaces that may stand between a lamp and a place.
 #[derive(Debug)]
 pub struct Casters<'v, 'a>(Vec<&'v Caster<'a>>);
-
-/// As for lights: of more surfaces, all share one list.
-const MOST_LISTS: usize = 128;
 
 impl<'a> LampView<'a> {
     /// What the lamps of a scene have before them; `scene` are the surfaces as they were read, which
