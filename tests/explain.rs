@@ -71,6 +71,8 @@ fn pixels_tell_their_stories() {
         ("lamp-room", "lamp-room-penumbra", "520,380"),
         ("lamp-room", "lamp-room-ceiling", "320,40"),
         ("globe-lamp", "globe-lamp-table", "430,400"),
+        ("planets", "planets-limb", "74,300"),
+        ("planets", "planets-sky", "300,80"),
     ];
     let changed = changed.into_iter().filter_map(|(scene, name, pixel)| {
         let scene = format!("scenes/{scene}.kdl");
@@ -241,6 +243,20 @@ fn what_a_pixel_gets_of_each_lamp_is_told_by_itself() {
         assert!((answered - 0.62).abs() < 1e-12, "{answered}");
         assert!(red(&ray["of_lamps"]) < red(&ray["own"]));
     }
+}
+
+#[test]
+fn rays_that_meet_nothing_are_counted_in_the_text_and_each_told_in_json() {
+    let story = answer(&[
+        "explain",
+        "scenes/planets.kdl",
+        "--json",
+        "--pixel",
+        "74,300",
+    ]);
+    let rays = story["rays"].as_array().expect("a list");
+    assert_eq!(rays.len(), 4);
+    assert_eq!(rays.iter().filter(|ray| ray["met"].is_null()).count(), 1);
 }
 
 #[test]
