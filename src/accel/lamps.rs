@@ -80,7 +80,6 @@ impl<'a> LampView<'a> {
         asks_all: bool,
     ) -> Self {
         let body = Body::of_surface(lamp, own.support);
-        let corners = body.corners();
         let others = surfaces.entries().iter().filter(|entry| {
             entry.index != own.index
                 && !entry.lies_on(own.support)
@@ -94,11 +93,10 @@ impl<'a> LampView<'a> {
                 .support
                 .is_some_and(|support| panes.contains(&support));
             panes.extend(entry.support.filter(|_| !is_opaque));
-            let side = bodies[entry.index].side_of(&body);
-            let shield = Shield::new(entry.surface, lamp, &corners, side);
+            let shield = Shield::new(entry.surface, &bodies[entry.index], lamp, &body);
             Caster {
                 entry: *entry,
-                side: side.or_else(|| shield.leaves_out_lamp().then_some(Side::Front)),
+                side: shield.side_of_lamp(),
                 shield,
                 is_opaque: is_opaque && is_first,
             }
@@ -119,8 +117,9 @@ impl<'a> LampView<'a> {
             if !asks_all && bodies.len() <= MOST_LISTS {
                 view.list_of[index] = Some(view.lists.len());
                 let can_hide = |caster: &usize| {
-                    let caster = &bodies[view.casters[*caster].entry.index];
-                    caster.can_hide_lamp(&body, receiver)
+                    let Caster { entry, shield, .. } = &view.casters[*caster];
+                    bodies[entry.index].can_hide_lamp(&body, receiver)
+                        && !shield.hides_nothing_from(receiver)
                 };
                 let list = view.lists[0].iter().copied().filter(can_hide).collect();
                 view.lists.push(list);

@@ -2,6 +2,7 @@
 
 mod accelerator;
 mod clearance;
+mod divide;
 mod lamps;
 mod overlaps;
 mod reach;

@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+use super::divide::Divide;
+use super::receivers::Body;
+use crate::math::band::SLIDE;
 use crate::math::{Flat, Point, Ray, Side, UNIT};
 use crate::surface::{Lamp, Surface};
 
@@ -15,11 +18,12 @@ pub(super) enum Shield {
         lamp: Option<Side>,
         borders: Vec<Border>,
     },
-    /// A round thing within a ball.
+    /// A round thing within a ball, and a plane between it and the lamp, if one is known.
     Ball {
         center: DVec3,
         radius: f64,
         lamp: (DVec3, f64),
+        divide: Option<Divide>,
     },
     /// One that is behind the lamp.
     Behind,
@@ -57,21 +61,16 @@ struct Plane {
 /// made of: 2⁻⁴³. Corners, places and points of a lamp are off by 16 roundings of their size at most,
 /// a product of three differences of them by three times two of these and 11 more; that is
 /// far less. Nothing depends on the rest, since whatever is in doubt is asked.
-const BLUR: f64 = 1024.0 * UNIT;
+pub(super) const BLUR: f64 = 1024.0 * UNIT;
 
 impl Shield {
-    /// What this surface is to a lamp with these corners, all of which are on this side of it.
-    pub(super) fn new(
-        surface: &dyn Surface,
-        lamp: &Lamp,
-        corners: &[DVec3],
-        side: Option<Side>,
-    ) -> Self {
+    /// What a surface is to a lamp; `body` and `source` are these two.
+    pub(super) fn new(surface: &dyn Surface, body: &Body, lamp: &Lamp, source: &Body) -> Self {
         if let Some(flat) = surface.flat() {
             return Self::Flat {
                 flat: *flat,
-                lamp: side,
-                borders: Border::all(&surface.outline(), corners),
+                lamp: body.side_of(source),
+                borders: Border::all(&surface.outline(), &source.corners()),
             };
         }
         let Some([center, axes]) = surface.round() else {
@@ -90,21 +89,51 @@ impl Shield {
             center,
             radius,
             lamp: (lamp.center().world(), lamp.reach()),
+            divide: body.divide_from(source),
         }
     }
 
-    /// Whether all of a lamp is certainly outside of this, if it is round.
-    pub(super) fn leaves_out_lamp(&self) -> bool {
-        let Self::Ball {
-            center,
-            radius,
-            lamp,
-        } = self
-        else {
-            return false;
-        };
-        let size = lamp.0.abs().element_sum() + center.abs().element_sum();
-        (lamp.0 - *center).length() > radius + lamp.1 + BLUR * (size + radius + lamp.1)
+    /// The side that all of the lamp is on, but for what touches it; `None` if there is none, or if that
+    /// is not known.
+    pub(super) fn side_of_lamp(&self) -> Option<Side> {
+        match self {
+            Self::Flat { lamp, .. } => *lamp,
+            Self::Ball {
+                divide: Some(_), ..
+            }
+            | Self::Behind => Some(Side::Front),
+            Self::Ball {
+                center,
+                radius,
+                lamp,
+                divide: None,
+            } => {
+                let size = lamp.0.abs().element_sum() + center.abs().element_sum();
+                let apart = radius + lamp.1 + BLUR * (size + radius + lamp.1);
+                ((lamp.0 - *center).length() > apart).then_some(Side::Front)
+            }
+            Self::Unknown => None,
+        }
+    }
+
+    /// Whether it certainly hides nothing of the lamp from any place of another surface, if it is
+    /// round.
+    pub(super) fn hides_nothing_from(&self, receiver: &Body) -> bool {
+        match self {
+            Self::Behind => true,
+            Self::Ball {
+                divide: Some(divide),
+                ..
+            } => {
+                // Hits lie between these points, or slide along the surface beyond them.
+                let is_before = |point| {
+                    let point = Point::exact(point);
+                    divide.has_before_it(&point, SLIDE * point.size())
+                };
+                receiver.hull().is_some_and(|mut hull| hull.all(is_before))
+            }
+            Self::Flat { .. } | Self::Ball { .. } | Self::Unknown => false,
+        }
     }
 
     /// How it stands between the lamp and a hit, from which a ray starts.
@@ -119,8 +148,12 @@ impl Shield {
                 center,
                 radius,
                 lamp,
+                divide,
             } => {
-                if misses_ball(*center, *radius, *lamp, hit) {
+                let is_before = |it: &Divide| it.has_before_it(&hit.origin, hit.astray);
+                if divide.as_ref().is_some_and(is_before)
+                    || misses_ball(*center, *radius, *lamp, hit)
+                {
                     Stand::Beside
                 } else {
                     Stand::Doubtful
