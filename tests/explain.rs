@@ -71,6 +71,8 @@ fn pixels_tell_their_stories() {
         ("lamp-room", "lamp-room-penumbra", "520,380"),
         ("lamp-room", "lamp-room-ceiling", "320,40"),
         ("globe-lamp", "globe-lamp-table", "430,400"),
+        ("planets", "planets-limb", "74,300"),
+        ("planets", "planets-sky", "300,80"),
     ];
     let changed = changed.into_iter().filter_map(|(scene, name, pixel)| {
         let scene = format!("scenes/{scene}.kdl");
@@ -244,6 +246,20 @@ fn what_a_pixel_gets_of_each_lamp_is_told_by_itself() {
 }
 
 #[test]
+fn rays_that_meet_nothing_are_counted_in_the_text_and_each_told_in_json() {
+    let story = answer(&[
+        "explain",
+        "scenes/planets.kdl",
+        "--json",
+        "--pixel",
+        "74,300",
+    ]);
+    let rays = story["rays"].as_array().expect("a list");
+    assert_eq!(rays.len(), 4);
+    assert_eq!(rays.iter().filter(|ray| ray["met"].is_null()).count(), 1);
+}
+
+#[test]
 fn a_light_in_the_very_place_that_it_would_light_is_told() {
     let text = r#"
         image 3 3
@@ -297,6 +313,29 @@ fn no_tree_is_promised_to_classic_numerics() {
         fs::write(&scene, balls(129, picture)).expect("a scene");
         let (text, _, _) = said(&["explain", &scene]);
         assert!(text.contains(says), "{text}");
+    }
+}
+
+#[test]
+fn of_too_many_surfaces_it_is_said_that_nobody_knows_which_can_shadow_which() {
+    let scene = format!("{}/many-lit-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
+    for (count, is_known) in [(128, true), (129, false)] {
+        let light = "light \"sun\" { location 0 50 9; emissivity 9 }\n";
+        let text = balls(count, "").replace("ambient 1", "diffuse 1") + light;
+        fs::write(&scene, text).expect("a scene");
+        let says = "    which surface can shadow which is worked out for 128 surfaces at most; \
+                    of more, all are searched\n";
+        let (text, _, _) = said(&["explain", &scene]);
+        assert_eq!(text.contains(says), !is_known, "{text}");
+        let answer = answer(&["explain", &scene, "--json"]);
+        for list in ["casters", "casts_nothing"] {
+            assert_eq!(answer["lights"][0][list].is_array(), is_known, "{count}");
+            assert_eq!(answer["lights"][0][list].is_null(), !is_known, "{count}");
+        }
+        // What it lights none of is not searched for anything.
+        fs::write(&scene, balls(count, "") + light).expect("a scene");
+        let (text, _, _) = said(&["explain", &scene]);
+        assert!(!text.contains(says), "{text}");
     }
 }
 

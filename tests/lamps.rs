@@ -6,6 +6,8 @@ mod light;
 mod proofs;
 #[path = "lamps/shadow.rs"]
 mod shadow;
+#[path = "lamps/touching.rs"]
+mod touching;
 
 use heliodon::film::Film;
 use heliodon::plan::Scope;

@@ -157,6 +157,26 @@ fn the_lists_fit_on_a_terminal_and_say_in_words_what_they_show() {
 }
 
 #[test]
+fn sentences_list_effects_as_prose_does() {
+    let scene = scene(
+        "image 4 3 transfer=\"srgb\"
+        camera { viewpoint 0 1 4; look-at 0 1 0 }
+        material \"glass\" { diffuse 3; specular 0.5; shininess 9; transparency 0.5; ior 1.5 }
+        light { location 2 4 3; emissivity 8 }
+        sphere { material \"glass\"; center 0 1 0; radius 1 }",
+    );
+    let list = prices(&scene, 1, &|_, _| ()).expect("prices").list();
+    for sentence in [
+        "Without mirrors, refraction and glints this picture ",
+        "Without transparency and refraction this picture ",
+        "Without glints this picture ",
+        "Without the transfer curve this picture ",
+    ] {
+        assert!(list.contains(sentence), "{list}");
+    }
+}
+
+#[test]
 fn a_scene_without_effects_has_no_prices_but_for_everything() {
     let scene = scene("image 4 3\n camera { viewpoint 0 1 4; look-at 0 1 0 }");
     let prices = prices(&scene, 0, &|_, _| ()).expect("prices");

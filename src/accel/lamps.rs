@@ -2,7 +2,7 @@
 
 use super::receivers::Body;
 use super::shields::{Shield, Stand};
-use super::{Entry, SurfaceList};
+use super::{Entry, MOST_LISTS, SurfaceList};
 use crate::math::{Ray, Rgb, Segment, Side, Support};
 use crate::surface::{Lamp, Surface};
 
@@ -53,9 +53,6 @@ pub struct Casters<'v, 'a> {
     all: Vec<&'v Caster<'a>>,
 }
 
-/// As for lights: of more surfaces, all share one list.
-const MOST_LISTS: usize = 128;
-
 impl<'a> LampView<'a> {
     /// What the lamps of a scene have before them; `scene` are the surfaces as they were read, which
     /// the list may have in another form.
@@ -88,7 +85,6 @@ impl<'a> LampView<'a> {
         asks_all: bool,
     ) -> Self {
         let body = Body::of_surface(lamp, own.support);
-        let corners = body.corners();
         let others = surfaces.entries().iter().filter(|entry| {
             entry.index != own.index
                 && !entry.lies_on(own.support)
@@ -102,11 +98,10 @@ impl<'a> LampView<'a> {
                 .support
                 .is_some_and(|support| panes.contains(&support));
             panes.extend(entry.support.filter(|_| !is_opaque));
-            let side = bodies[entry.index].side_of(&body);
-            let shield = Shield::new(entry.surface, lamp, &corners, side);
+            let shield = Shield::new(entry.surface, &bodies[entry.index], lamp, &body);
             Caster {
                 entry: *entry,
-                side: side.or_else(|| shield.leaves_out_lamp().then_some(Side::Front)),
+                side: shield.side_of_lamp(),
                 shield,
                 is_opaque: is_opaque && is_first,
             }
@@ -128,8 +123,9 @@ impl<'a> LampView<'a> {
             if !asks_all && bodies.len() <= MOST_LISTS {
                 view.list_of[index] = Some(view.lists.len());
                 let can_hide = |caster: &usize| {
-                    let caster = &bodies[view.casters[*caster].entry.index];
-                    caster.can_hide_lamp(&view.body, receiver)
+                    let Caster { entry, shield, .. } = &view.casters[*caster];
+                    bodies[entry.index].can_hide_lamp(&view.body, receiver)
+                        && !shield.hides_nothing_from(receiver)
                 };
                 let list = view.lists[0].iter().copied().filter(can_hide).collect();
                 view.lists.push(list);

@@ -2,6 +2,7 @@
 
 mod accelerator;
 mod clearance;
+mod divide;
 mod lamps;
 mod overlaps;
 mod reach;
@@ -31,6 +32,13 @@ use crate::math::{
 };
 use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
+
+/// The most surfaces of which each has its own lists of what can stand between it and a light; of more,
+/// all share one list of everything that casts.
+///
+/// The lists take the square of the number of surfaces to make. Smaller, and scenes of a few dozen
+/// surfaces test shadows in vain; larger, and making the lists takes longer than it saves.
+pub const MOST_LISTS: usize = 128;
 
 /// The surfaces of a scene in file order, and what finds those that a ray may meet.
 #[derive(Debug)]

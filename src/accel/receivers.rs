@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::Entry;
+use super::divide::Divide;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
 use crate::math::{Ball, Bounds, Flat, Point, Side, Support};
@@ -16,7 +17,8 @@ pub(super) struct Body {
     outline: Vec<DVec3>,
     /// Points around it, exact and rounded; `None` if it has no end.
     hull: Option<Vec<(ExactVector, DVec3)>>,
-    half_axes: Option<DVec3>,
+    /// The centre and the half axes, if it is round.
+    round: Option<[DVec3; 2]>,
     rectangle: Option<Sheet>,
 }
 
@@ -47,7 +49,7 @@ impl Body {
             hull: surface
                 .hull()
                 .map(|hull| hull.into_iter().map(with_rounded).collect()),
-            half_axes: surface.round().map(|[_, half_axes]| half_axes),
+            round: surface.round(),
             rectangle: match surface.anatomy().map(|anatomy| anatomy.shape) {
                 Some(Shape::Rectangle { corner, axes, size }) => Some(Sheet { corner, axes, size }),
                 _ => None,
@@ -74,9 +76,9 @@ impl Body {
     /// to the light it rises by more than the light's height. A stretched ball is asked in a space
     /// where its axes are equal.
     pub(super) fn slant(&self, light: DVec3, reach: f64) -> Option<f64> {
-        match (&self.flat, self.half_axes) {
+        match (&self.flat, self.round) {
             (Some(flat), _) => Some((reach / flat.normal.dot(light - flat.point).abs()).max(1.0)),
-            (None, Some(axes)) => Some(axes.max_element() / axes.min_element()),
+            (None, Some([_, axes])) => Some(axes.max_element() / axes.min_element()),
             (None, None) => None,
         }
     }
@@ -126,6 +128,20 @@ impl Body {
         }
     }
 
+    /// A plane between this, if it is round, and a lamp that it leaves out and may touch; `None` if none
+    /// is known.
+    pub(super) fn divide_from(&self, lamp: &Self) -> Option<Divide> {
+        let round = self.round?;
+        match (&lamp.flat, lamp.round) {
+            (Some(flat), _) => {
+                let reach = lamp.ball()?.reach();
+                (!self.reaches(flat, Side::Front)).then(|| Divide::of_pane(flat, reach, round))
+            }
+            (None, Some([center, axes])) => Divide::of_globe((center, axes.max_element()), round),
+            (None, None) => None,
+        }
+    }
+
     /// Whether some of it lies strictly before another surface's plane, or the other is not flat.
     pub(super) fn is_before(&self, other: &Self) -> bool {
         let flat = other.flat.as_ref();
@@ -140,6 +156,9 @@ impl Body {
 
     /// Whether some of it can lie strictly on this side of a plane.
     fn reaches(&self, flat: &Flat, side: Side) -> bool {
+        if let Some(round) = self.round {
+            return flat.has_some_of(round, side);
+        }
         match (&self.hull, &self.flat) {
             (Some(hull), _) => hull
                 .iter()

@@ -10,7 +10,7 @@ use super::clearance::Clearance;
 use super::receivers::Body;
 use super::shade::Shade;
 use super::tree::Tree;
-use super::{Entry, SurfaceList};
+use super::{Entry, MOST_LISTS, SurfaceList};
 use crate::math::{Point, Ray, Rgb, Segment, Side, Support};
 use crate::surface::Hit;
 
@@ -73,12 +73,6 @@ impl Caster<'_> {
             && !self.entry.lies_on(ray.leaves())
     }
 }
-
-/// The most surfaces of which each has its own list of casters; of more, all share one.
-///
-/// The lists take the square of the number of surfaces to make. Smaller, and scenes of a few dozen
-/// surfaces test shadows in vain; larger, and making the lists takes longer than it saves.
-const MOST_LISTS: usize = 128;
 
 impl<'a> LightView<'a> {
     /// What lights at these places have before them; `lights` tells whether a light, by its number, is

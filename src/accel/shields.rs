@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+use super::divide::Divide;
+use super::receivers::Body;
+use crate::math::band::SLIDE;
 use crate::math::{Flat, Point, Ray, Side, UNIT};
 use crate::surface::{Lamp, Surface};
 
@@ -15,11 +18,12 @@ pub(super) enum Shield {
         lamp: Option<Side>,
         borders: Vec<Border>,
     },
-    /// A round thing within a ball.
+    /// A round thing within a ball, and a plane between it and the lamp, if one is known.
     Ball {
         center: DVec3,
         radius: f64,
         lamp: (DVec3, f64),
+        divide: Option<Divide>,
     },
     /// One that is behind the lamp, by more than rounding for a way of this size.
     Behind { farthest: f64 },
@@ -58,21 +62,16 @@ struct Plane {
 /// a product of three differences of them by three times two of these and 11 more; that is
 /// far less. A ray whose direction is rounded passes a corner of the lamp as far off as if that were moved by a few
 /// roundings of the whole way. Nothing depends on the rest, since whatever is in doubt is asked.
-const BLUR: f64 = 1024.0 * UNIT;
+pub(super) const BLUR: f64 = 1024.0 * UNIT;
 
 impl Shield {
-    /// What this surface is to a lamp with these corners, all of which are on this side of it.
-    pub(super) fn new(
-        surface: &dyn Surface,
-        lamp: &Lamp,
-        corners: &[DVec3],
-        side: Option<Side>,
-    ) -> Self {
+    /// What a surface is to a lamp; `body` and `source` are these two.
+    pub(super) fn new(surface: &dyn Surface, body: &Body, lamp: &Lamp, source: &Body) -> Self {
         if let Some(flat) = surface.flat() {
             return Self::Flat {
                 flat: *flat,
-                lamp: side,
-                borders: Border::all(&surface.outline(), corners),
+                lamp: body.side_of(source),
+                borders: Border::all(&surface.outline(), &source.corners()),
             };
         }
         let Some([center, axes]) = surface.round() else {
@@ -92,21 +91,50 @@ impl Shield {
             center,
             radius,
             lamp: (lamp.center().world(), lamp.reach()),
+            divide: body.divide_from(source),
         }
     }
 
-    /// Whether all of a lamp is certainly outside of this, if it is round.
-    pub(super) fn leaves_out_lamp(&self) -> bool {
-        let Self::Ball {
-            center,
-            radius,
-            lamp,
-        } = self
-        else {
-            return false;
+    /// The side that all of the lamp is on, but for what touches it; `None` if there is none, or if that
+    /// is not known.
+    pub(super) fn side_of_lamp(&self) -> Option<Side> {
+        match self {
+            Self::Flat { lamp, .. } => *lamp,
+            Self::Ball {
+                divide: Some(_), ..
+            }
+            | Self::Behind { .. } => Some(Side::Front),
+            Self::Ball {
+                center,
+                radius,
+                lamp,
+                divide: None,
+            } => {
+                let size = lamp.0.abs().element_sum() + center.abs().element_sum();
+                let apart = radius + lamp.1 + BLUR * (size + radius + lamp.1);
+                ((lamp.0 - *center).length() > apart).then_some(Side::Front)
+            }
+            Self::Unknown => None,
+        }
+    }
+
+    /// Whether it certainly hides nothing of the lamp from any place of another surface, if it is
+    /// round.
+    pub(super) fn hides_nothing_from(&self, receiver: &Body) -> bool {
+        let hides_nothing_from = |point| {
+            let point = Point::exact(point);
+            match self {
+                Self::Behind { farthest } => point.size() < *farthest,
+                // Hits lie between these points, or slide along the surface beyond them.
+                Self::Ball {
+                    divide: Some(divide),
+                    ..
+                } => divide.has_before_it(&point, SLIDE * point.size()),
+                Self::Flat { .. } | Self::Ball { .. } | Self::Unknown => false,
+            }
         };
-        let size = lamp.0.abs().element_sum() + center.abs().element_sum();
-        (lamp.0 - *center).length() > radius + lamp.1 + BLUR * (size + radius + lamp.1)
+        let hull = receiver.hull();
+        hull.is_some_and(|mut hull| hull.all(hides_nothing_from))
     }
 
     /// How it stands between the lamp and a hit, from which a ray starts.
@@ -121,8 +149,12 @@ impl Shield {
                 center,
                 radius,
                 lamp,
+                divide,
             } => {
-                if misses_ball(*center, *radius, *lamp, hit) {
+                let is_before = |it: &Divide| it.has_before_it(&hit.origin, hit.astray);
+                if divide.as_ref().is_some_and(is_before)
+                    || misses_ball(*center, *radius, *lamp, hit)
+                {
                     Stand::Beside
                 } else {
                     Stand::Doubtful

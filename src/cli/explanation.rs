@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::stats;
-use crate::accel::Accelerator;
+use crate::accel::{Accelerator, MOST_LISTS};
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
 use crate::plan::{Effect, Seen, Unlit};
 
@@ -81,11 +81,17 @@ fn light(
         row.lights,
         counted(all, "surface"),
     )?;
-    for (caster, onto) in &row.casters {
+    if row.casters.is_none() && row.lights > 0 {
+        writeln!(
+            out,
+            "    which surface can shadow which is worked out for {MOST_LISTS} surfaces at most; of more, all are searched"
+        )?;
+    }
+    for (caster, onto) in row.casters.iter().flatten() {
         let lead = format!("{} can cast a shadow on ", name(caster));
         list(out, &lead, onto.iter().map(name).collect(), 4)?;
     }
-    let casting_nothing = row.casts_nothing.iter();
+    let casting_nothing = row.casts_nothing.iter().flatten();
     for (why, words) in [
         (
             NoShadow::NothingBehind,

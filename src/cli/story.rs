@@ -27,12 +27,21 @@ fn write_text(
         out,
         "pixel {x},{y} of {title}: {color}, in the picture {kept}"
     )?;
-    let many = story.rays.len() > 1;
-    for (index, ray) in story.rays.iter().enumerate() {
-        if many {
-            writeln!(out, "\nray {} of {}", index + 1, story.rays.len())?;
+    if let [ray] = &story.rays[..] {
+        return step(out, ray, title, 0);
+    }
+    let all = story.rays.len();
+    match story.rays.iter().filter(|ray| ray.met.is_none()).count() {
+        0 => {}
+        1 => writeln!(out, "\n1 of {all} rays from the eye meets nothing")?,
+        some if some == all => writeln!(out, "\nall {all} rays from the eye meet nothing")?,
+        some => writeln!(out, "\n{some} of {all} rays from the eye meet nothing")?,
+    }
+    for (number, ray) in (1..).zip(&story.rays) {
+        if ray.met.is_some() {
+            writeln!(out, "\nray {number} of {all}")?;
+            step(out, ray, title, 1)?;
         }
-        step(out, ray, title, if many { 1 } else { 0 })?;
     }
     Ok(())
 }

@@ -4,6 +4,7 @@
 //! scene can [describe](Node::new) itself as a node again. So the same few types carry a scene in
 //! both directions, and [`Schema`] is the only place where words, types and defaults are written.
 
+mod joined;
 mod node;
 mod problem;
 mod refusal;
@@ -12,6 +13,7 @@ mod source;
 mod suggest;
 mod value;
 
+pub use joined::joined;
 pub use node::{Entry, Node};
 pub use problem::{Problem, Severity, render_problems};
 pub use refusal::Refusal;

@@ -3,7 +3,7 @@
 //! The readers check against it, `docs/scene-language.md` is compared with it, and `convert` leaves
 //! out what it gives as default.
 
-use super::Value;
+use super::{Value, joined};
 
 /// One kind of node: `plane`, `material`, `camera` …
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,12 +205,7 @@ impl Takes {
             }
             Self::Word(words) => {
                 let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
-                match quoted.as_slice() {
-                    [most @ .., last] if !most.is_empty() => {
-                        format!("{} or {last}", most.join(", "))
-                    }
-                    _ => quoted.concat(),
-                }
+                joined(&quoted, "or")
             }
             Self::Name(reference) => format!("the name of a {}", reference.word()),
             Self::Path => "a file name in quotes".to_owned(),

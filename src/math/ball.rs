@@ -23,6 +23,12 @@ impl Ball {
         }
     }
 
+    /// Its radius.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.radius
+    }
+
     /// The narrowest cone around it with its top in a place: the unit direction of its axis and its
     /// half-angle in radians.
     ///

@@ -75,9 +75,8 @@ impl Flat {
             counts &= above > 0.0;
             for (way, slope) in fan.ends.iter().zip(slopes) {
                 let falls = -way.z;
-                counts &= falls > 0.0
-                    && steep(falls)
-                    && height.abs() * falls > BEYOND * (above * slope.abs());
+                // The second is false of a way that rises, too.
+                counts &= steep(falls) && height.abs() * falls > BEYOND * (above * slope.abs());
             }
         }
         if !counts {
@@ -163,5 +162,30 @@ mod tests {
             }
         }
         assert!(always > 6000 && never > 6000, "{always} {never} {unknown}");
+    }
+
+    #[test]
+    fn nothing_is_decided_by_how_far_ways_fall_that_is_made_of_rounding() {
+        const STEP: f64 = 2.0 * crate::math::UNIT;
+        // Their heights are differences of numbers near 1, so they come in steps of 2⁻⁵².
+        let way = |share: f64| DVec3::new(1.0 + share, 0.0, 1.0 - (1.0 + (1.0 + share) * STEP));
+        let screen = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
+        let wall = Flat::with_unit_normal(DVec3::X, DVec3::X);
+        let eye = Point::exact(DVec3::new(0.0, 0.0, STEP / 1.01));
+        let counts = |share: f64| {
+            let ray = Ray::new(eye, direction(way(share)));
+            let limits = Limits::below(&screen, &ray);
+            let met = wall.hits(&ray, limits.span());
+            met.is_some_and(|(t, error)| limits.hold(t, error, Some(&wall)))
+        };
+        // Seen from both ends the wall is beyond the screen, and in between it is not.
+        assert_eq!([0.0, 0.4, 1.0].map(counts), [true, false, true]);
+        let fan = Fan {
+            ray: Ray::new(eye, DVec3::Z),
+            ends: [way(0.0), way(1.0)],
+            size: 5.0,
+        };
+        assert_eq!(wall.crossings(&fan, Some(&screen)), Crossings::Unknown);
+        assert_ne!(wall.crossings(&fan, None), Crossings::Unknown);
     }
 }

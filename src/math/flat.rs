@@ -154,6 +154,28 @@ impl Flat {
         Side::of(self.exact_height(exact).sign())
     }
 
+    /// Whether some of a ball with this centre, stretched to these half axes, is strictly on a side.
+    ///
+    /// Along the normal `n` it reaches as far as `√Σ (aᵢ nᵢ)²` from its centre.
+    #[must_use]
+    pub fn has_some_of(&self, [center, axes]: [DVec3; 2], side: Side) -> bool {
+        let toward = match side {
+            Side::Front => 1.0,
+            Side::Back => -1.0,
+            Side::On => return false,
+        };
+        let reach = (axes * self.normal).length();
+        let height = toward * self.normal.dot(center - self.point) + reach;
+        let size = Point::exact(center).size() + axes.element_sum();
+        if height.abs() > 2.0 * HEIGHT * size + self.doubt {
+            return height > 0.0;
+        }
+        let height = &self.exact_height(&center.into()) * &toward.into();
+        let reach = ExactVector::from(axes).scaled(&self.decisive.into());
+        height.sign() == Sign::Positive
+            || (&reach.dot(&reach) - &height.squared()).sign() == Sign::Positive
+    }
+
     /// The height of a point above the plane, exactly.
     #[must_use]
     pub fn exact_height(&self, point: &ExactVector) -> Exact {

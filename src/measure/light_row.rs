@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Thing;
+use crate::accel::MOST_LISTS;
 use crate::math::{Point, Side};
 use crate::plan::{Cause, Plan, Unlit};
 use crate::surface::Surface;
@@ -18,10 +19,11 @@ pub struct LightRow {
     pub lights: usize,
     /// The others, by their places in the file, from 0, and why not.
     pub unlit: Vec<(usize, Unlit)>,
-    /// What can cast a shadow, and on which of the surfaces.
-    pub casters: Vec<(usize, Vec<usize>)>,
-    /// What casts none, and why.
-    pub casts_nothing: Vec<(usize, NoShadow)>,
+    /// What can cast a shadow, and on which of the surfaces; `None` if there are more than
+    /// [`MOST_LISTS`], so that it is not worked out.
+    pub casters: Option<Vec<(usize, Vec<usize>)>>,
+    /// What casts none, and why; `None` as before.
+    pub casts_nothing: Option<Vec<(usize, NoShadow)>>,
 }
 
 /// Why a surface casts no shadow in the light of a light.
@@ -35,11 +37,6 @@ pub enum NoShadow {
     /// Its shadow falls beside all that the light lights.
     FallsBeside,
 }
-
-/// The most surfaces of which it is told which casts shadows on which.
-///
-/// Beyond that all surfaces share a list of casters, and nobody reads it.
-const MOST_PAIRS: usize = 128;
 
 impl LightRow {
     /// The rows of all lights of a scene in file order, and after them of all its lamps.
@@ -76,7 +73,9 @@ impl LightRow {
             let lamp = plan.scene.surfaces[index].lamp();
             !lamp.is_some_and(|lamp| std::ptr::eq(lamp, view.lamp))
         };
-        row.casts_nothing.retain(|(index, _)| is_other(*index));
+        if let Some(casts_nothing) = &mut row.casts_nothing {
+            casts_nothing.retain(|(index, _)| is_other(*index));
+        }
         row
     }
 
@@ -89,12 +88,12 @@ impl LightRow {
             unlit: reasons
                 .filter_map(|(surface, why)| Some((surface, (*why)?)))
                 .collect(),
-            casters: Vec::new(),
-            casts_nothing: Vec::new(),
+            casters: None,
+            casts_nothing: None,
         }
     }
 
-    /// Adds what can cast a shadow and what cannot; `side_of` is the side of a surface that the light
+    /// Adds what can cast a shadow and what cannot, if that was worked out; `side_of` is the side of a surface that the light
     /// is on, if all of it is on one.
     fn tell_casters(
         &mut self,
@@ -103,7 +102,7 @@ impl LightRow {
         side_of: impl Fn(usize) -> Option<Side>,
     ) {
         let surfaces = &plan.scene.surfaces;
-        if surfaces.len() > MOST_PAIRS {
+        if surfaces.len() > MOST_LISTS {
             return;
         }
         let mut onto = vec![Vec::new(); surfaces.len()];
@@ -115,14 +114,15 @@ impl LightRow {
                 onto[caster].push(receiver);
             }
         }
+        let (mut casters, mut casts_nothing) = (Vec::new(), Vec::new());
         for (caster, onto) in onto.into_iter().enumerate() {
             if onto.is_empty() {
-                let why = self.no_shadow(surfaces, caster, side_of(caster));
-                self.casts_nothing.push((caster, why));
+                casts_nothing.push((caster, self.no_shadow(surfaces, caster, side_of(caster))));
             } else {
-                self.casters.push((caster, onto));
+                casters.push((caster, onto));
             }
         }
+        (self.casters, self.casts_nothing) = (Some(casters), Some(casts_nothing));
     }
 
     /// Why a surface casts no shadow, if it does not.

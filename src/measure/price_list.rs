@@ -4,6 +4,8 @@ use std::fmt;
 use std::fmt::Write;
 
 use super::{Effort, Price, Prices, Timing};
+use crate::language::joined;
+use crate::plan::Effect;
 
 impl fmt::Display for Prices {
     /// The list of effects, what simulating everything costs, and both in words.
@@ -76,15 +78,15 @@ impl Prices {
 impl Price {
     /// The price as a sentence.
     fn in_words(&self, whole: &Effort) -> String {
-        let gone = self.also_off.iter().map(|effect| effect.title());
-        let gone: Vec<_> = [self.effect.title()].into_iter().chain(gone).collect();
+        let gone = [&[self.effect], &self.also_off[..]].concat();
+        let gone: Vec<_> = gone.into_iter().map(in_a_sentence).collect();
         let change = match self.change.pixels {
             0.0 => "no pixel changes".to_owned(),
             share => format!("{} of its pixels change", percent(share)),
         };
         format!(
             "Without {} this picture {}; {change}.",
-            gone.join(" and "),
+            joined(&gone, "and"),
             how_long(self.effort.time, whole.time)
         )
     }
@@ -114,6 +116,15 @@ fn how_long(this: Timing, other: Timing) -> String {
         return "takes about as long".to_owned();
     }
     format!("takes {:.2} times as long", this.over(other))
+}
+
+/// An effect as a sentence has it.
+fn in_a_sentence(effect: Effect) -> String {
+    let article = match effect {
+        Effect::TransferCurve => "the ",
+        _ => "",
+    };
+    article.to_owned() + effect.title()
 }
 
 fn percent(share: f64) -> String {

@@ -1,5 +1,7 @@
 //! Phrases that the messages of the readers share.
 
+use crate::language::joined;
+
 /// A word or a text as a message shows it: not too long, and nothing invisible in it.
 pub(super) fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
@@ -26,7 +28,7 @@ pub(super) fn quoted(text: &str) -> String {
 /// Words of the scene language: `` `a`, `b` and `c` ``.
 pub(super) fn words<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<_> = words.into_iter().map(|word| format!("`{word}`")).collect();
-    joined(&words)
+    joined(&words, "and")
 }
 
 /// Names that a scene gives, in alphabetical order, and not too many: `"a", "b" and others`.
@@ -36,15 +38,7 @@ pub(super) fn names(names: &[&str]) -> String {
     if names.len() > MOST {
         shown.push("others".to_owned());
     }
-    joined(&shown)
-}
-
-fn joined(parts: &[String]) -> String {
-    match parts {
-        [] => String::new(),
-        [one] => one.clone(),
-        [most @ .., last] => format!("{} and {last}", most.join(", ")),
-    }
+    joined(&shown, "and")
 }
 
 /// How many there are, in words as far as one would say them: `two`, `12`.

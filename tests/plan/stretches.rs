@@ -1,5 +1,7 @@
 //! What is known of many neighbouring rays at once changes neither the picture nor what is counted.
 
+use heliodon::accel::Ahead;
+use heliodon::camera::Stretch;
 use heliodon::film::Film;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
@@ -76,6 +78,30 @@ const LIGHTINGS: [&str; 4] = [
     "lighting { view-falloff \"inverse-square\" }",
     "light { location 3 9 3; emissivity 9 }",
 ];
+
+#[test]
+fn beside_all_that_can_be_seen_of_a_surface_a_stretch_has_nothing_ahead() {
+    let card = r#"finite-plane { material "chalk"; point -1 -1 0; normal 0 0 1; xdir 1 0 0
+        dimensions 2 2 }"#;
+    let scene = scene(&format!(
+        "camera {{ viewpoint 0 0 9; look-at 0 0 0 }}\n{card}"
+    ));
+    let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a camera");
+    let sight = plan.sight.as_ref().expect("one surface has no tree");
+    let ahead = |y: f64, first: u32| {
+        let row = &plan.camera.row(y);
+        let count = 5;
+        match sight.along(&Stretch { row, first, count }) {
+            Ahead::Nothing => 0,
+            Ahead::One(_) => 1,
+            Ahead::Several => 2,
+        }
+    };
+    // The card is in the middle 11 columns and rows or so.
+    assert_eq!([10, 35, 60].map(|first| ahead(19.5, first)), [0, 1, 0]);
+    assert_eq!([5.0, 35.0].map(|y| ahead(y, 35)), [0, 0]);
+    assert_eq!([28, 42].map(|first| ahead(19.5, first)), [2, 2]);
+}
 
 #[test]
 fn one_surface_is_drawn_as_if_each_ray_were_asked() {
