@@ -3,7 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::Camera;
-use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
+use crate::language::{
+    Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value, words,
+};
 use crate::math::{Flat, unit};
 
 /// A viewpoint and what it looks at.
@@ -36,24 +38,19 @@ pub enum View {
 }
 
 /// The point of the chapter's window that its place is told by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum WindowOrigin {
     /// The lower-left corner.
+    #[default]
     Corner,
     /// The middle.
     Center,
 }
 
-impl WindowOrigin {
-    const WORDS: [&'static str; 2] = ["corner", "center"];
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Corner => Self::WORDS[0],
-            Self::Center => Self::WORDS[1],
-        }
-    }
-}
+words!(WindowOrigin {
+    Corner: "corner",
+    Center: "center",
+});
 
 impl View {
     /// The `camera` node of the scene language.
@@ -76,7 +73,7 @@ impl View {
                 word: "origin",
                 takes: Takes::Word(&WindowOrigin::WORDS),
                 unit: "",
-                default: Default::Word("corner"),
+                default: Default::Word(WindowOrigin::Corner.word()),
                 properties: &[],
                 about: "the window's point at `screen-at`: its lower-left corner or centre",
             }]),
@@ -127,18 +124,13 @@ impl View {
                     ["screen", "look-at"],
                     advice,
                 )?;
-                let centered = screen
-                    .property("origin")
-                    .is_some_and(|at| at.text() == "center");
-                let origin = if centered {
-                    WindowOrigin::Center
-                } else {
-                    WindowOrigin::Corner
-                };
+                let origin = screen.property("origin");
                 Self::Screen {
                     viewpoint,
                     size: node.pair("screen"),
-                    origin,
+                    origin: origin
+                        .and_then(|origin| WindowOrigin::from_word(origin.text()))
+                        .unwrap_or_default(),
                     at: node.triple("screen-at"),
                 }
             }

@@ -11,6 +11,7 @@ mod schema;
 mod source;
 mod suggest;
 mod value;
+mod words;
 
 pub use node::{Entry, Node};
 pub use problem::{Problem, Severity, render_problems};
@@ -19,3 +20,4 @@ pub use schema::{Attribute, Default, Naming, Range, Reference, Schema, Takes};
 pub use source::{Location, Source, Sources};
 pub use suggest::did_you_mean;
 pub use value::Value;
+pub(crate) use words::words;

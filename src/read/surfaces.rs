@@ -64,7 +64,7 @@ fn with_material(
         "tiled-plane" => {
             let alternate = parts.materials.find(node, "alternate");
             let plane = Plane::new(common(material?), point(), normal());
-            let start = TileStart::from_word(&node.text("start"));
+            let start = TileStart::from_word(&node.text("start")).unwrap_or_default();
             let (xdir, tile, alternate) =
                 (node.triple("xdir"), node.pair("dimensions"), alternate?);
             boxed(plane.and_then(|plane| TiledPlane::new(plane, xdir, tile, start, alternate)))
