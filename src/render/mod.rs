@@ -13,14 +13,16 @@ mod seed;
 mod shading;
 mod thread_work;
 mod tracer;
+mod turn;
 mod watch;
 
 pub use both::Both;
 pub use certificate::Certificate;
-pub use errors::{Errors, Turn};
+pub use errors::Errors;
 pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
+pub use turn::Turn;
 
 use adaptive::Adaptive;
 use seed::Seed;
