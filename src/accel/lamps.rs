@@ -1,9 +1,11 @@
 //! What stands in the way of a lamp.
 
+use super::passage::Passage;
 use super::receivers::Body;
+use super::shadows::MOST_LISTS;
 use super::shields::{Shield, Stand};
 use super::{Entry, SurfaceList};
-use crate::math::{Ray, Rgb, Segment, Side, Support};
+use crate::math::{Ray, Rgb, Segment, Side};
 use crate::surface::{Lamp, Surface};
 
 /// A scene's surfaces as one lamp has them before it.
@@ -48,9 +50,6 @@ pub enum Between<'v, 'a> {
 #[derive(Debug)]
 pub struct Casters<'v, 'a>(Vec<&'v Caster<'a>>);
 
-/// As for lights: of more surfaces, all share one list.
-const MOST_LISTS: usize = 128;
-
 impl<'a> LampView<'a> {
     /// What the lamps of a scene have before them; `scene` are the surfaces as they were read, which
     /// the list may have in another form.
@@ -85,13 +84,11 @@ impl<'a> LampView<'a> {
         let body = Body::of_surface(lamp, own.support);
         let corners = body.corners();
         let others = surfaces.entries().iter().filter(|entry| {
-            entry.index != own.index
-                && !entry.lies_on(own.support)
-                && entry.surface.common().shadows.cast
+            entry.index != own.index && !entry.lies_on(own.support) && entry.common.shadows.cast
         });
         let mut panes = Vec::new();
         let casters = others.map(|entry| {
-            let is_opaque = entry.surface.common().material.transparency == 0.0;
+            let is_opaque = entry.common.material.transparency == 0.0;
             // Behind a pane on the same sheet a wall does not count.
             let is_first = !entry
                 .support
@@ -208,27 +205,16 @@ impl Casters<'_, '_> {
     /// [`Blockers::transmittance`](super::Blockers::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
-        let mut passed = Rgb::WHITE;
-        let mut crossed: Vec<Support> = Vec::new();
-        for caster in &self.0 {
+        let mut passage = Passage::new(segment);
+        for Caster { entry, side, .. } in &self.0 {
             *tests += 1;
-            let Entry {
-                surface, support, ..
-            } = caster.entry;
-            let side = caster.side.unwrap_or_else(|| surface.side(&segment.end));
-            let is_known = support.is_some_and(|support| crossed.contains(&support));
-            if is_known || !surface.occludes(segment, side) {
-                continue;
-            }
-            if surface.common().material.transparency == 0.0 {
-                return Rgb::BLACK;
-            }
-            crossed.extend(support);
-            if let Some(mut hit) = surface.hits(&segment.ray, segment.limits().span()) {
-                surface.settle(&mut hit, &segment.ray);
-                passed = passed * surface.transmits(&hit);
+            let side = side.unwrap_or_else(|| entry.surface.side(&segment.end));
+            let is_in_the_way =
+                !passage.has_crossed(entry.support) && entry.surface.occludes(segment, side);
+            if is_in_the_way && passage.cross(entry).is_break() {
+                break;
             }
         }
-        passed
+        passage.share
     }
 }

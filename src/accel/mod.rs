@@ -4,6 +4,7 @@ mod accelerator;
 mod clearance;
 mod lamps;
 mod overlaps;
+mod passage;
 mod reach;
 mod receivers;
 mod shade;
