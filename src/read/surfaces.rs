@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::build::{Parts, refused};
+use super::build::{Parts, accepted};
 use super::textures;
 use crate::language::{Node, Problem, Refusal, Value};
 use crate::surface::{
@@ -26,8 +26,7 @@ pub(super) fn surface(
     } else {
         with_material(node, parts, problems)?
     };
-    made.map_err(|refusal| refused(node, refusal, problems))
-        .ok()
+    accepted(node, made, problems)
 }
 
 /// The surface, or why it cannot exist; `None` if that is a problem already.
