@@ -86,9 +86,7 @@ impl TexturePlane {
         let name = image.texture.name.as_str();
         node.with_entry("texture", Some(name.into()), &properties)
     }
-}
 
-impl TexturePlane {
     /// Settles a hit whose offset is off by as much as `doubt`, which may be another texel's.
     #[cold]
     fn settle_in_doubt(&self, hit: &mut Hit, doubt: f64, ray: &Ray) {
