@@ -3,7 +3,9 @@
 mod adaptive;
 mod beams;
 mod both;
+mod budget;
 mod certificate;
+mod counts;
 mod errors;
 mod lamps;
 mod media;
@@ -11,6 +13,7 @@ mod probe;
 mod rows;
 mod seed;
 mod shading;
+mod tally;
 mod thread_work;
 mod tracer;
 mod turn;
@@ -18,8 +21,9 @@ mod watch;
 
 pub use both::Both;
 pub use certificate::Certificate;
+pub use counts::Counts;
 pub use errors::Errors;
-pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
+pub use probe::{Arrival, Probe, RayKind, Unfollowed};
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
 pub use turn::Turn;
