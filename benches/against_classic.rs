@@ -4,10 +4,12 @@
 //! the scenes that are named) on one thread, with `--numerics robust`, `classic` and `classic-f32`
 //! in turn, and prints the medians of the ratios within each turn. Below 1, robust is faster.
 
-use std::error::Error;
-use std::process::{Command, Stdio};
+mod processor;
 
-use nix::sys::resource::{UsageWho, getrusage};
+use std::error::Error;
+use std::process::Command;
+
+use processor::median;
 
 const TURNS: usize = 15;
 const SCENES: [&str; 7] = [
@@ -78,27 +80,9 @@ fn times(scene: &str, turn: usize) -> Result<[f64; 3], Box<dyn Error>> {
     Ok(times)
 }
 
-/// User and system time of a run; the picture goes nowhere, but it is made.
+/// The processor's time of a run; the picture goes nowhere, but it is made.
 fn cpu_seconds(scene: &str, numerics: &str) -> Result<f64, Box<dyn Error>> {
     let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
     command.args(["render", scene, "--numerics", numerics, "--threads", "1"]);
-    command.args(["-q", "--format", "ppm", "-o", "-"]);
-    let used = || {
-        let usage = getrusage(UsageWho::RUSAGE_CHILDREN)?;
-        let times = [usage.user_time(), usage.system_time()];
-        let micros = times.map(|time| time.tv_sec() * 1_000_000 + time.tv_usec());
-        Ok::<_, nix::Error>(micros.iter().sum::<i64>())
-    };
-    let before = used()?;
-    let status = command.stdout(Stdio::null()).status()?;
-    if !status.success() {
-        return Err(format!("{command:?} failed").into());
-    }
-    Ok((used()? - before) as f64 / 1e6)
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<_> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    processor::seconds(command.args(["-q", "--format", "ppm", "-o", "-"]))
 }

@@ -4,6 +4,8 @@
 //! Tachyon (or takes the one that is named), runs both programs in turn on one thread, and prints
 //! the ratio of each pair. Tachyon has to be installed; without it there is nothing to compare.
 
+mod processor;
+
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -15,7 +17,7 @@ use heliodon::camera::{View, WindowOrigin};
 use heliodon::read;
 use heliodon::scene::Scene;
 use heliodon::texture::Texture;
-use nix::sys::resource::{UsageWho, getrusage};
+use processor::median;
 
 const PAIRS: usize = 21;
 const SCENE: &str = "scenes/room.kdl";
@@ -56,8 +58,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (our_picture, their_picture) = (folder.join("ours.png"), folder.join("theirs.png"));
     let mut pairs = Vec::new();
     for _ in 0..PAIRS {
-        let heliodon = cpu_seconds(&mut ours(&our_picture))?;
-        let tachyon = cpu_seconds(&mut theirs(&their_picture))?;
+        let heliodon = processor::seconds(&mut ours(&our_picture))?;
+        let tachyon = processor::seconds(&mut theirs(&their_picture))?;
         pairs.push((heliodon, tachyon));
     }
     println!(
@@ -77,31 +79,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         median(pairs.iter().map(|pair| pair.0 / pair.1))
     );
     Ok(())
-}
-
-/// User and system time of a command that runs to its end.
-fn cpu_seconds(command: &mut Command) -> Result<f64, Box<dyn Error>> {
-    let used = || {
-        let usage = getrusage(UsageWho::RUSAGE_CHILDREN)?;
-        let times = [usage.user_time(), usage.system_time()];
-        let micros = times.map(|time| time.tv_sec() * 1_000_000 + time.tv_usec());
-        Ok::<_, nix::Error>(micros.iter().sum::<i64>())
-    };
-    let before = used()?;
-    let status = command
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()?;
-    if !status.success() {
-        return Err(format!("{command:?} failed").into());
-    }
-    Ok((used()? - before) as f64 / 1e6)
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<_> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// The room for Tachyon: every rectangle as two triangles, textures as PPM.

@@ -1,69 +1,31 @@
 //! Texture filters: what each shows, the exact one against very many samples, and the pictures in
 //! `docs/texture-filters.md`, which `HELIODON_UPDATE=1` rewrites.
 
+#[path = "texture_filters/floors.rs"]
+mod floors;
 mod golden;
 
 use std::path::Path;
 
+use floors::{HORIZON, LEVEL, Painter, TURNED, checker, floor, folder, head, noise, squares};
 use golden::{compare, repository};
 use heliodon::film::Film;
 use heliodon::plan::Scope;
-use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, observed};
 use heliodon::scene::{Scene, Setting};
 use heliodon::texture::Filter;
 use image::{Rgb, RgbImage, imageops};
 use rayon::ThreadPoolBuilder;
 
-/// The pixel of an image in a column and a row from the top.
-type Painter = fn(u32, u32) -> [u8; 3];
-
-/// Black and yellow, on blue: in blue every pixel shows how much of it is floor.
-fn checker(x: u32, y: u32) -> [u8; 3] {
-    let bright = if (x + y).is_multiple_of(2) { 255 } else { 0 };
-    [bright, bright, 255]
-}
-
-/// Squares of 32 texels.
-fn squares(x: u32, y: u32) -> [u8; 3] {
-    checker(x / 32, y / 32)
-}
-
-fn noise(x: u32, y: u32) -> [u8; 3] {
-    let mixed = |salt: u32| {
-        (x * 73 + y * 179 + salt)
-            .wrapping_mul(0x9e37_79b9)
-            .to_be_bytes()[0]
-    };
-    [mixed(0), mixed(1), 255]
-}
-
 fn plain(_: u32, _: u32) -> [u8; 3] {
     [200, 100, 50]
 }
 
-/// A folder with a texture `image.png` of this size.
-fn folder(sides: [u32; 2], painter: Painter) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    let image = RgbImage::from_fn(sides[0], sides[1], |x, y| Rgb(painter(x, y)));
-    let saved = image.save(folder.path().join("image.png"));
-    saved.expect("the texture can be written");
-    folder
-}
-
 /// A scene whose texture lies in a folder.
 fn scene(text: &str, folder: &Path, filter: Filter, samples: u32) -> Scene {
-    let setting = |word, value: &str| Setting::new(word, value).expect("a setting");
-    let options = Options {
-        settings: vec![
-            setting("texture-filter", filter.word()),
-            setting("samples", &samples.to_string()),
-        ],
-        ..Options::default()
-    };
-    let reading = read_bytes("scene", text.into(), folder.into(), &options);
-    let reading = reading.unwrap_or_else(|no| panic!("{:?}", no.problems));
-    reading.scene
+    let samples = samples.to_string();
+    let settings = [("texture-filter", filter.word()), ("samples", &samples)];
+    floors::scene(text, folder, &settings)
 }
 
 fn drawn(scene: &Scene) -> (Film, Counts) {
@@ -73,34 +35,6 @@ fn drawn(scene: &Scene) -> (Film, Counts) {
 fn film(text: &str, folder: &Path, filter: Filter) -> Film {
     drawn(&scene(text, folder, filter, 1)).0
 }
-
-/// The head of a scene, and what its things are made of.
-fn head([width, height]: [u32; 2], camera: &str) -> String {
-    format!(
-        "image {width} {height}
-        camera {{ {camera} }}
-        lighting {{ view-falloff none }}
-        texture \"image\" \"image.png\"
-        material \"paint\" {{ ambient 1 }}
-        material \"mirror\" {{ specular 1 }}\n"
-    )
-}
-
-/// A floor of texels of this size, which ends at this z before the eye and nowhere else.
-fn floor(texel: f64, end: f64) -> String {
-    format!(
-        "texture-plane {{
-            material \"paint\"
-            point -100000 0 {}; normal 0 1 0; xdir 1 0 0; dimensions 200000 200000
-            texture \"image\" mode=\"repeat\" texel=\"{texel} {texel}\"
-        }}\n",
-        end + 200_000.0
-    )
-}
-
-const HORIZON: f64 = -100_000.0;
-const LEVEL: &str = "viewpoint 0.3 1 0.2; look-at 0.3 1 -1; field-of-view 40";
-const TURNED: &str = "viewpoint 0.3 1 0.2; look-at 1.1 0.7 -1; up 0.2 1 0.1; field-of-view 50";
 
 /// The largest difference of two films in a channel, in code values.
 fn largest_difference(one: &Film, other: &Film) -> f64 {

@@ -10,16 +10,15 @@
 //! and the mean of so many is off itself; and how many times the processor's time of `exact` with one ray
 //! a pixel `nearest` takes with 1,024, on a larger picture.
 
-use std::path::Path;
+#[path = "../../tests/texture_filters/floors.rs"]
+mod floors;
 
 use clap::Parser;
 use cpu_time::ProcessTime;
-use heliodon::film::Film;
+use floors::{HORIZON, LEVEL, Painter, TURNED, checker, folder, head, noise, scene, squares};
+use heliodon::film::{Film, Region};
 use heliodon::plan::Scope;
-use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, STACK, observed};
-use heliodon::scene::{Scene, Setting};
-use image::{Rgb, RgbImage};
 
 /// Compares the filter `exact` with very many rays.
 #[derive(Debug, Parser)]
@@ -39,12 +38,8 @@ struct Floor {
     /// The size of a texel in the world.
     texel: f64,
     sides: [u32; 2],
-    /// The channels of a texel; the last one is full.
-    painter: fn(u32, u32) -> [u8; 3],
+    painter: Painter,
 }
-
-const LEVEL: &str = "viewpoint 0.3 1 0.2; look-at 0.3 1 -1; field-of-view 40";
-const TURNED: &str = "viewpoint 0.3 1 0.2; look-at 1.1 0.7 -1; up 0.2 1 0.1; field-of-view 50";
 
 const FLOORS: [Floor; 4] = [
     Floor {
@@ -77,23 +72,6 @@ const FLOORS: [Floor; 4] = [
     },
 ];
 
-fn checker(x: u32, y: u32) -> [u8; 3] {
-    let bright = if (x + y).is_multiple_of(2) { 255 } else { 0 };
-    [bright, bright, 255]
-}
-
-fn squares(x: u32, y: u32) -> [u8; 3] {
-    checker(x / 32, y / 32)
-}
-
-fn noise(x: u32, y: u32) -> [u8; 3] {
-    let mixed = |salt: u32| {
-        let mixed = (x * 73 + y * 179 + salt).wrapping_mul(0x9e37_79b9);
-        mixed.to_be_bytes()[0]
-    };
-    [mixed(0), mixed(1), 255]
-}
-
 fn main() {
     let arguments = Arguments::parse();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
@@ -106,13 +84,16 @@ fn main() {
 }
 
 fn compare(floor: &Floor, arguments: &Arguments) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [width, height] = floor.sides;
-    let image = RgbImage::from_fn(width, height, |x, y| Rgb((floor.painter)(x, y)));
-    image.save(folder.path().join("image.png")).expect("a file");
+    let folder = folder(floor.sides, floor.painter);
     let draw = |size, filter: &str, samples: u32| {
         let start = ProcessTime::now();
-        let scene = scene(floor, size, folder.path(), filter, samples);
+        let text = head(size, floor.camera) + &floors::floor(floor.texel, HORIZON);
+        let settings = [
+            ("texture-filter", filter),
+            ("samples", &samples.to_string()),
+            ("pattern", "sobol"),
+        ];
+        let scene = scene(&text, folder.path(), &settings);
         let (film, _) = observed::<Counts>(&scene, Scope::CalledFor, &|_| ()).expect("a picture");
         (film, start.elapsed().as_secs_f64())
     };
@@ -137,13 +118,13 @@ fn compare(floor: &Floor, arguments: &Arguments) {
 fn errors(exact: &Film, truth: &Film) -> [f64; 2] {
     let mut most = [0.0f64; 2];
     let size = [24, 16];
-    for [column, row] in heliodon::film::Region::whole(size).places() {
+    for [column, row] in Region::whole(size).places() {
         let (found, expected) = (exact.pixel(column, row), truth.pixel(column, row));
         // In blue every pixel shows how much of it is floor.
         if found.b == 0.0 || expected.b == 0.0 {
             continue;
         }
-        let around = heliodon::film::Region::around([column, row], size);
+        let around = Region::around([column, row], size);
         let is_below = around
             .places()
             .all(|[column, row]| truth.pixel(column, row).b == 1.0);
@@ -156,37 +137,4 @@ fn errors(exact: &Film, truth: &Film) -> [f64; 2] {
         }
     }
     most
-}
-
-fn scene(floor: &Floor, size: [u32; 2], folder: &Path, filter: &str, samples: u32) -> Scene {
-    let text = format!(
-        "image 1 1
-        camera {{ {} }}
-        lighting {{ view-falloff none }}
-        texture \"image\" \"image.png\"
-        material \"paint\" {{ ambient 1 }}
-        texture-plane {{
-            material \"paint\"
-            point -100000 0 100000; normal 0 1 0; xdir 1 0 0; dimensions 200000 200000
-            texture \"image\" mode=\"repeat\" texel=\"{texel} {texel}\"
-        }}",
-        floor.camera,
-        texel = floor.texel
-    );
-    let samples = samples.to_string();
-    let settings = [
-        ("texture-filter", filter),
-        ("samples", &samples),
-        ("pattern", "sobol"),
-    ];
-    let settings = settings.iter().map(|(word, text)| Setting::new(word, text));
-    let options = Options {
-        size: Some(size),
-        settings: settings.collect::<Result<_, _>>().expect("settings"),
-        ..Options::default()
-    };
-    let reading = read_bytes("floor", text.into(), folder.into(), &options);
-    reading
-        .unwrap_or_else(|no| panic!("{:?}", no.problems))
-        .scene
 }

@@ -1,9 +1,10 @@
 //! What stands in the way of a lamp.
 
+use super::passage::Passage;
 use super::receivers::Body;
 use super::shields::{Shield, Stand};
 use super::{Entry, MOST_LISTS, SurfaceList};
-use crate::math::{Ray, Rgb, Segment, Side, Support};
+use crate::math::{Ray, Rgb, Segment, Side};
 use crate::surface::{Lamp, Surface};
 
 /// A scene's surfaces as one lamp has them before it.
@@ -86,13 +87,11 @@ impl<'a> LampView<'a> {
     ) -> Self {
         let body = Body::of_surface(lamp, own.support);
         let others = surfaces.entries().iter().filter(|entry| {
-            entry.index != own.index
-                && !entry.lies_on(own.support)
-                && entry.surface.common().shadows.cast
+            entry.index != own.index && !entry.lies_on(own.support) && entry.common.shadows.cast
         });
         let mut panes = Vec::new();
         let casters = others.map(|entry| {
-            let is_opaque = entry.surface.common().material.transparency == 0.0;
+            let is_opaque = entry.common.material.transparency == 0.0;
             // Behind a pane on the same sheet a wall does not count.
             let is_first = !entry
                 .support
@@ -218,29 +217,17 @@ impl Casters<'_, '_> {
     /// [`Blockers::transmittance`](super::Blockers::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
-        let mut passed = Rgb::WHITE;
-        let mut crossed: Vec<Support> = Vec::new();
-        for caster in &self.all {
+        let mut passage = Passage::new(segment);
+        for Caster { entry, side, .. } in &self.all {
             *tests += 1;
-            let Entry {
-                surface, support, ..
-            } = caster.entry;
-            let side = caster.side.unwrap_or_else(|| surface.side(&segment.end));
-            let is_known = support.is_some_and(|support| crossed.contains(&support));
-            let can_hide =
-                || Body::of(&caster.entry).can_hide_lamp(self.lamp, &Body::of(self.from));
-            if is_known || !caster.entry.hides(segment, side, can_hide) {
-                continue;
-            }
-            if surface.common().material.transparency == 0.0 {
-                return Rgb::BLACK;
-            }
-            crossed.extend(support);
-            if let Some(mut hit) = surface.hits(&segment.ray, segment.limits().span()) {
-                surface.settle(&mut hit, &segment.ray);
-                passed = passed * surface.transmits(&hit);
+            let side = side.unwrap_or_else(|| entry.surface.side(&segment.end));
+            let can_hide = || Body::of(entry).can_hide_lamp(self.lamp, &Body::of(self.from));
+            let is_in_the_way =
+                !passage.has_crossed(entry.support) && entry.hides(segment, side, can_hide);
+            if is_in_the_way && passage.cross(entry).is_break() {
+                break;
             }
         }
-        passed
+        passage.share
     }
 }

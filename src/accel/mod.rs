@@ -5,6 +5,7 @@ mod clearance;
 mod divide;
 mod lamps;
 mod overlaps;
+mod passage;
 mod reach;
 mod receivers;
 mod shade;

@@ -7,11 +7,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::clearance::Clearance;
+use super::passage::Passage;
 use super::receivers::Body;
 use super::shade::Shade;
 use super::tree::Tree;
 use super::{Entry, MOST_LISTS, SurfaceList};
-use crate::math::{Point, Ray, Rgb, Segment, Side, Support};
+use crate::math::{Point, Ray, Rgb, Segment, Side};
 use crate::surface::Hit;
 
 /// A scene's surfaces as one light has them before it.
@@ -102,33 +103,9 @@ impl<'a> LightView<'a> {
         light: DVec3,
         lights: &dyn Fn(usize) -> bool,
     ) -> Self {
-        let location = Point::exact(light);
-        let mut clear_sheets = HashSet::new();
-        let casters: Vec<_> = surfaces
-            .entries()
-            .iter()
-            .filter(|entry| entry.common.shadows.cast)
-            .map(|entry| {
-                let opaque = entry.common.material.transparency == 0.0;
-                if !opaque {
-                    clear_sheets.extend(entry.support);
-                }
-                let counts = entry
-                    .support
-                    .is_none_or(|support| !clear_sheets.contains(&support));
-                Caster {
-                    shade: None,
-                    entry: *entry,
-                    side: entry.surface.side(&location),
-                    blocks: opaque && counts,
-                }
-            })
-            .collect();
-        let lit: Vec<_> = surfaces
-            .entries()
-            .iter()
-            .filter(|entry| lights(entry.index))
-            .collect();
+        let casters = casters(surfaces, &Point::exact(light));
+        let lit = surfaces.entries().iter();
+        let lit = lit.filter(|entry| lights(entry.index));
         let mut view = Self {
             casters: Vec::new(),
             list_of: vec![None; surfaces.entries().len()],
@@ -138,19 +115,8 @@ impl<'a> LightView<'a> {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
-            view.tree = surfaces.tree.as_ref().map(|tree| {
-                let mut places = vec![None; surfaces.entries().len()];
-                for (place, caster) in (0..).zip(&casters) {
-                    places[caster.entry.index] = Some(place);
-                }
-                let bounded = casters.iter().map(|caster| &caster.entry);
-                let bounded = bounded.filter(|entry| entry.surface.bounds().is_some());
-                CasterTree {
-                    tree: tree.clone(),
-                    casters: places,
-                    clearance: Clearance::new(light, bounded),
-                }
-            });
+            let tree = surfaces.tree.as_ref();
+            view.tree = tree.map(|tree| CasterTree::new(tree, &casters, surfaces, light));
             view.casters.push(casters);
             return view;
         };
@@ -192,6 +158,51 @@ impl<'a> LightView<'a> {
             casters: &self.casters[self.list_of[entry.index]?],
             tree: self.tree.as_ref(),
         })
+    }
+}
+
+/// All that can cast a shadow in the light from a place, in file order.
+fn casters<'a>(surfaces: &SurfaceList<'a>, light: &Point) -> Vec<Caster<'a>> {
+    let mut clear_sheets = HashSet::new();
+    let casts = |entry: &&Entry<'_>| entry.common.shadows.cast;
+    let casting = surfaces.entries().iter().filter(casts);
+    let caster = |entry: &Entry<'a>| {
+        let opaque = entry.common.material.transparency == 0.0;
+        if !opaque {
+            clear_sheets.extend(entry.support);
+        }
+        let counts = entry
+            .support
+            .is_none_or(|support| !clear_sheets.contains(&support));
+        Caster {
+            shade: None,
+            entry: *entry,
+            side: entry.surface.side(light),
+            blocks: opaque && counts,
+        }
+    };
+    casting.map(caster).collect()
+}
+
+impl CasterTree {
+    /// The tree of a list, for those of its surfaces that cast shadows in the light from a place.
+    fn new(
+        tree: &Arc<Tree>,
+        casters: &[Caster<'_>],
+        surfaces: &SurfaceList<'_>,
+        light: DVec3,
+    ) -> Self {
+        let mut places = vec![None; surfaces.entries().len()];
+        for (place, caster) in (0..).zip(casters) {
+            places[caster.entry.index] = Some(place);
+        }
+        let bounded = casters.iter().map(|caster| &caster.entry);
+        let bounded = bounded.filter(|entry| entry.surface.bounds().is_some());
+        Self {
+            tree: tree.clone(),
+            casters: places,
+            clearance: Clearance::new(light, bounded),
+        }
     }
 }
 
@@ -278,23 +289,11 @@ impl Blockers<'_, '_> {
 
 /// The share of light that passes all of these, which are in file order.
 fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment: &Segment) -> Rgb {
-    let mut passed = Rgb::WHITE;
-    let mut crossed: Vec<Support> = Vec::new();
+    let mut passage = Passage::new(segment);
     for Caster { entry, .. } in in_the_way {
-        if entry
-            .support
-            .is_some_and(|support| crossed.contains(&support))
-        {
-            continue;
-        }
-        if entry.common.material.transparency == 0.0 {
-            return Rgb::BLACK;
-        }
-        crossed.extend(entry.support);
-        if let Some(mut hit) = entry.surface.hits(&segment.ray, segment.limits().span()) {
-            entry.surface.settle(&mut hit, &segment.ray);
-            passed = passed * entry.surface.transmits(&hit);
+        if !passage.has_crossed(entry.support) && passage.cross(entry).is_break() {
+            break;
         }
     }
-    passed
+    passage.share
 }

@@ -3,7 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::Camera;
-use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value};
+use crate::language::{
+    Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value, words,
+};
 use crate::math::{Flat, unit};
 
 /// A viewpoint and what it looks at.
@@ -36,24 +38,19 @@ pub enum View {
 }
 
 /// The point of the chapter's window that its place is told by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum WindowOrigin {
     /// The lower-left corner.
+    #[default]
     Corner,
     /// The middle.
     Center,
 }
 
-impl WindowOrigin {
-    const WORDS: [&'static str; 2] = ["corner", "center"];
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Corner => Self::WORDS[0],
-            Self::Center => Self::WORDS[1],
-        }
-    }
-}
+words!(WindowOrigin {
+    Corner: "corner",
+    Center: "center",
+});
 
 impl View {
     /// The `camera` node of the scene language.
@@ -76,7 +73,7 @@ impl View {
                 word: "origin",
                 takes: Takes::Word(&WindowOrigin::WORDS),
                 unit: "",
-                default: Default::Word("corner"),
+                default: Default::Word(WindowOrigin::Corner.word()),
                 properties: &[],
                 about: "the window's point at `screen-at`: its lower-left corner or centre",
             }]),
@@ -127,18 +124,13 @@ impl View {
                     ["screen", "look-at"],
                     advice,
                 )?;
-                let centered = screen
-                    .property("origin")
-                    .is_some_and(|at| at.text() == "center");
-                let origin = if centered {
-                    WindowOrigin::Center
-                } else {
-                    WindowOrigin::Corner
-                };
+                let origin = screen.property("origin");
                 Self::Screen {
                     viewpoint,
                     size: node.pair("screen"),
-                    origin,
+                    origin: origin
+                        .and_then(|origin| WindowOrigin::from_word(origin.text()))
+                        .unwrap_or_default(),
                     at: node.triple("screen-at"),
                 }
             }
@@ -185,7 +177,7 @@ impl View {
     /// # Errors
     /// Refuses an eye behind the screen or at its target, and an `up` along the view.
     pub fn camera(&self, width: u32, height: u32) -> Result<Camera, Refusal> {
-        let (width, height) = (f64::from(width), f64::from(height));
+        let pixels = [width, height].map(f64::from);
         match *self {
             Self::Screen {
                 viewpoint,
@@ -193,70 +185,18 @@ impl View {
                 origin,
                 at,
             } => {
-                if viewpoint.z <= at.z {
-                    let z = Value::Number(at.z);
-                    return Err(Refusal::new(
-                        "viewpoint",
-                        "the viewpoint is not in front of the screen",
-                        format!(
-                            "the screen lies in the plane z = {z}; give the viewpoint a z above {z}"
-                        ),
-                    )
-                    .expected(format!("expected a z above {z}")));
-                }
                 let corner = match origin {
                     WindowOrigin::Corner => DVec3::ZERO,
                     WindowOrigin::Center => -0.5 * size.extend(0.0),
                 };
-                Ok(Camera {
-                    viewpoint,
-                    // Scene points are subtracted first, so that only their distance counts.
-                    lower_left: (at - viewpoint) + corner,
-                    right: DVec3::X * size.x,
-                    up: DVec3::Y * size.y,
-                    inset: 0.0,
-                    // A picture one pixel wide looks along the window's left edge.
-                    span: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
-                    screen: Some(Flat::with_unit_normal(at, DVec3::Z)),
-                })
+                through_screen(viewpoint, [at, corner], size, pixels)
             }
             Self::LookAt {
                 viewpoint,
                 target,
                 up,
                 field_of_view,
-            } => {
-                let ahead = unit(target - viewpoint).ok_or_else(|| {
-                    Refusal::new(
-                        "look-at",
-                        "the camera looks at its own viewpoint",
-                        "give `look-at` another point",
-                    )
-                    .expected("expected another point than `viewpoint`")
-                })?;
-                let across = unit(up)
-                    .and_then(|up| unit(ahead.cross(up)))
-                    .ok_or_else(|| {
-                        Refusal::new(
-                            "up",
-                            "`up` is zero or points along the direction of view",
-                            "`up` is what is up in the picture, such as 0 1 0",
-                        )
-                        .expected("expected a direction across the view")
-                    })?;
-                let half_height = libm::tan(field_of_view.to_radians() / 2.0);
-                let right = across * (2.0 * half_height * (width / height));
-                let upward = across.cross(ahead) * (2.0 * half_height);
-                Ok(Camera {
-                    viewpoint,
-                    lower_left: ahead - right * 0.5 - upward * 0.5,
-                    right,
-                    up: upward,
-                    inset: 0.5,
-                    span: [width, height],
-                    screen: None,
-                })
-            }
+            } => looking_at(viewpoint, [target, up], field_of_view, pixels),
         }
     }
 
@@ -303,6 +243,74 @@ impl View {
                 .with("field-of-view", *field_of_view),
         }
     }
+}
+
+/// The camera behind a window of this size, whose lower-left corner is at a point of the scene and a
+/// way from there.
+fn through_screen(
+    viewpoint: DVec3,
+    [at, to_corner]: [DVec3; 2],
+    size: DVec2,
+    [width, height]: [f64; 2],
+) -> Result<Camera, Refusal> {
+    if viewpoint.z <= at.z {
+        let z = Value::Number(at.z);
+        return Err(Refusal::new(
+            "viewpoint",
+            "the viewpoint is not in front of the screen",
+            format!("the screen lies in the plane z = {z}; give the viewpoint a z above {z}"),
+        )
+        .expected(format!("expected a z above {z}")));
+    }
+    Ok(Camera {
+        viewpoint,
+        // Scene points are subtracted first, so that only their distance counts.
+        lower_left: (at - viewpoint) + to_corner,
+        right: DVec3::X * size.x,
+        up: DVec3::Y * size.y,
+        inset: 0.0,
+        // A picture one pixel wide looks along the window's left edge.
+        span: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
+        screen: Some(Flat::with_unit_normal(at, DVec3::Z)),
+    })
+}
+
+/// The camera that looks at a point, with a vertical angle of view in degrees.
+fn looking_at(
+    viewpoint: DVec3,
+    [target, up]: [DVec3; 2],
+    field_of_view: f64,
+    [width, height]: [f64; 2],
+) -> Result<Camera, Refusal> {
+    let ahead = unit(target - viewpoint).ok_or_else(|| {
+        Refusal::new(
+            "look-at",
+            "the camera looks at its own viewpoint",
+            "give `look-at` another point",
+        )
+        .expected("expected another point than `viewpoint`")
+    })?;
+    let across = unit(up).and_then(|up| unit(ahead.cross(up)));
+    let across = across.ok_or_else(|| {
+        Refusal::new(
+            "up",
+            "`up` is zero or points along the direction of view",
+            "`up` is what is up in the picture, such as 0 1 0",
+        )
+        .expected("expected a direction across the view")
+    })?;
+    let half_height = libm::tan(field_of_view.to_radians() / 2.0);
+    let right = across * (2.0 * half_height * (width / height));
+    let upward = across.cross(ahead) * (2.0 * half_height);
+    Ok(Camera {
+        viewpoint,
+        lower_left: ahead - right * 0.5 - upward * 0.5,
+        right,
+        up: upward,
+        inset: 0.5,
+        span: [width, height],
+        screen: None,
+    })
 }
 
 /// Refuses attributes that mean nothing to a camera with `has`, only to one with `other`.

@@ -10,6 +10,7 @@ mod dials;
 mod dump;
 mod explain;
 mod explanation;
+mod finished;
 mod input;
 #[cfg(unix)]
 mod interrupt;

@@ -1,6 +1,5 @@
 //! `heliodon render`.
 
-use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -10,17 +9,17 @@ use rayon::prelude::*;
 use super::asked::Asked;
 use super::certificate::{self, Report};
 use super::dials::Dials;
+use super::finished::Finished;
 use super::input::Failure;
-use super::messages::{Json, Messages, problems_json};
-use super::output::{Output, Outputs, plan};
+use super::messages::{Json, Messages};
+use super::output::{Outputs, plan};
 use super::threads::Threads;
-use super::{FormatWord, Status, input, progress, stats};
-use crate::film::{Notes, Print, Region, save};
-use crate::language::{Problem, Refusal};
+use super::{FormatWord, Status, input, progress};
+use crate::film::{Format, Print, Region};
+use crate::language::Refusal;
 use crate::math::Rgb;
-use crate::measure::LightTests;
 use crate::plan::Scope;
-use crate::read::{self, Reading};
+use crate::read;
 use crate::render::{self, Both, Certificate, Counts};
 use crate::scene::Scene;
 
@@ -122,223 +121,118 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
         language: languages.first().copied(),
         ..read::Options::default()
     });
-    let one = |(scene, outputs): (&PathBuf, &Outputs)| {
-        let made = picture(scene, outputs, &reader, options, &pool, messages);
-        match (made, options.json.is_asked()) {
-            (Ok(done), true) => messages.result(&done.json(), done.status),
-            (Ok(done), false) => done.say(messages),
-            (Err(failure), true) => messages.result(&failure.json(scene), failure.status),
-            (Err(failure), false) => failure.status,
-        }
+    let batch = Batch {
+        options,
+        reader,
+        pool,
+        messages,
     };
-    let statuses: Vec<_> = options.scenes.iter().zip(&outputs).map(one).collect();
+    let scenes = options.scenes.iter().zip(&outputs);
+    let statuses: Vec<_> = scenes.map(|(scene, to)| batch.one(scene, to)).collect();
     messages.tally(&statuses);
     statuses.into_iter().fold(Status::Done, Status::worst)
 }
 
-/// Renders one scene and writes its picture.
-fn picture<'a>(
-    scene: &Path,
-    outputs: &'a Outputs,
-    reader: &read::Options,
-    options: &Options,
-    pool: &rayon::ThreadPool,
-    messages: &Messages,
-) -> Result<Done<'a>, Failure> {
-    let start = Instant::now();
-    let Reading {
-        scene: mut read,
-        warnings,
-        ..
-    } = input::read(scene, reader, messages)?;
-    let title = input::title(scene);
-    let output = outputs.of_depth(read.picture.depth);
-    // The command line comes before the scene, and what was kept is what the settings say.
-    read.picture.depth = output.format.depth();
-    let replaced = output
-        .path
-        .as_ref()
-        .and_then(|path| input::part_at(path, scene, &read));
-    if let Some(replaced) = replaced {
-        let error = format!("the picture of {title} would replace {replaced}, which it is made of");
-        return Err(Failure::new(Status::Usage, error, messages));
+/// What is the same for all scenes of a command.
+struct Batch<'a> {
+    options: &'a Options,
+    reader: read::Options,
+    pool: rayon::ThreadPool,
+    messages: &'a Messages,
+}
+
+/// A picture that is drawn, and what was seen meanwhile.
+type Drawn = (Print, Counts, Option<Report>);
+
+impl Batch<'_> {
+    /// Renders one scene, writes its picture, and tells of it as is asked.
+    fn one(&self, scene: &Path, outputs: &Outputs) -> Status {
+        match (self.picture(scene, outputs), self.options.json.is_asked()) {
+            (Ok(done), true) => self.messages.result(&done.json(), done.status),
+            (Ok(done), false) => done.say(self.messages),
+            (Err(failure), true) => self.messages.result(&failure.json(scene), failure.status),
+            (Err(failure), false) => failure.status,
+        }
     }
-    let size = [read.picture.width, read.picture.height];
-    let part = options.crop.unwrap_or_else(|| Region::whole(size));
-    part.check_within(size).map_err(|refusal| {
-        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
-        Failure::new(Status::Usage, error, messages)
-    })?;
-    let bar = progress::bar(&title, part.height as u64, messages);
-    let progress = |rows| bar.set_position(rows as u64);
-    let scope = if options.simulate_everything {
-        Scope::Everything
-    } else {
-        Scope::CalledFor
-    };
-    let rendered = pool.install(|| {
-        if options.certify {
+
+    /// Renders one scene and writes its picture.
+    fn picture<'o>(&self, scene: &Path, outputs: &'o Outputs) -> Result<Finished<'o>, Failure> {
+        let start = Instant::now();
+        let title = input::title(scene);
+        let failure = |status, error| Failure::new(status, error, self.messages);
+        let reading = input::read(scene, &self.reader, self.messages)?;
+        let (mut read, warnings) = (reading.scene, reading.warnings);
+        let output = outputs.of_depth(read.picture.depth);
+        // The command line comes before the scene, and what was kept is what the settings say.
+        read.picture.depth = output.format.depth();
+        let replaced = output.path.as_ref();
+        if let Some(replaced) = replaced.and_then(|path| input::part_at(path, scene, &read)) {
+            let error =
+                format!("the picture of {title} would replace {replaced}, which it is made of");
+            return Err(failure(Status::Usage, error));
+        }
+        let size = [read.picture.width, read.picture.height];
+        let crop = self.options.crop;
+        let part = crop.unwrap_or_else(|| Region::whole(size));
+        part.check_within(size).map_err(|refusal| {
+            let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+            failure(Status::Usage, error)
+        })?;
+        let drawn = self.draw(&read, part, output.format, &title);
+        let (mut print, counts, certificate) = drawn
+            .map_err(|refusal| failure(Status::BadInput, format!("{title}: {}", refusal.reason)))?;
+        inject_fault(&mut print);
+        let mut finished = Finished {
+            hash: read.hash(),
+            title,
+            scene: read,
+            warnings,
+            counts,
+            crop,
+            size: [part.width, part.height],
+            stats: self.options.stats,
+            certificate,
+            output,
+            start,
+            status: Status::Done,
+        };
+        finished.write(&print).map_err(|error| {
+            let error = format!("cannot write {}: {error}", output.title());
+            failure(Status::Io, error)
+        })?;
+        finished.status = non_finite(&print, &finished.title, self.messages);
+        Ok(finished)
+    }
+
+    /// Draws a part of a scene's picture, and finds out how right it is if that is asked.
+    fn draw(
+        &self,
+        scene: &Scene,
+        part: Region,
+        format: Format,
+        title: &str,
+    ) -> Result<Drawn, Refusal> {
+        let bar = progress::bar(title, part.height as u64, self.messages);
+        let progress = |rows| bar.set_position(rows as u64);
+        let scope = if self.options.simulate_everything {
+            Scope::Everything
+        } else {
+            Scope::CalledFor
+        };
+        let drawn = self.pool.install(|| {
+            if !self.options.certify {
+                let (print, counts) = render::printed_part(scene, scope, part, format, &progress)?;
+                return Ok((print, counts, None));
+            }
             let (film, seen): (_, Both<Counts, Certificate>) =
-                render::observed_part(&read, scope, part, &progress)?;
-            let report = certificate::report(&seen, &read, &film);
-            let print = Print::of(&film, output.format, read.picture.encoding());
+                render::observed_part(scene, scope, part, &progress)?;
+            let report = certificate::report(&seen, scene, &film);
+            let print = Print::of(&film, format, scene.picture.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;
-            return Ok((print, seen.0, Some(report)));
-        }
-        let (print, counts) = render::printed_part(&read, scope, part, output.format, &progress)?;
-        Ok((print, counts, None))
-    });
-    bar.finish_and_clear();
-    let (mut print, counts, certificate) = rendered.map_err(|refusal: Refusal| {
-        Failure::new(
-            Status::BadInput,
-            format!("{title}: {}", refusal.reason),
-            messages,
-        )
-    })?;
-    inject_fault(&mut print);
-    let hash = read.hash();
-    write(&print, &read, options.crop, &hash, output).map_err(|error| {
-        let error = format!("cannot write {}: {error}", output.title());
-        Failure::new(Status::Io, error, messages)
-    })?;
-    let status = non_finite(&print, &title, messages);
-    Ok(Done {
-        stats: options.stats,
-        certificate,
-        title,
-        read,
-        warnings,
-        counts,
-        crop: options.crop,
-        size: [part.width, part.height],
-        hash,
-        output,
-        start,
-        status,
-    })
-}
-
-/// A finished picture, and what there is to say about it.
-#[derive(Debug)]
-struct Done<'a> {
-    title: String,
-    read: Scene,
-    warnings: Vec<Problem>,
-    counts: Counts,
-    /// The part that was asked for.
-    crop: Option<Region>,
-    /// Its width and height in pixels, or those of the whole.
-    size: [usize; 2],
-    /// Whether to tell how much work it was.
-    stats: bool,
-    certificate: Option<Report>,
-    hash: String,
-    output: &'a Output,
-    start: Instant,
-    status: Status,
-}
-
-impl Done<'_> {
-    fn json(&self) -> String {
-        let picture = &self.read.picture;
-        let mut line = serde_json::json!({
-            "scene": self.title,
-            "exit": self.status.code(),
-            "output": self.output.title(),
-            "width": self.size[0],
-            "height": self.size[1],
-            "samples": picture.samples,
-            "rays": self.counts,
-            "hash": self.hash,
-            "seconds": self.start.elapsed().as_secs_f64(),
-            "problems": problems_json(&self.warnings, &self.read.sources),
+            Ok((print, seen.0, Some(report)))
         });
-        if let Some(crop) = &self.crop {
-            line["crop"] = serde_json::json!(crop.corners());
-        }
-        if self.stats {
-            let by_light = LightTests::all(&self.read, &self.counts);
-            line["by_light"] = serde_json::json!(by_light);
-        }
-        if let Some(certificate) = &self.certificate {
-            line["certificate"] = serde_json::json!(certificate);
-        }
-        format!("{line}\n")
-    }
-
-    fn say(&self, messages: &Messages) -> Status {
-        let picture = &self.read.picture;
-        messages.note(&format!(
-            "{} -> {}, {}x{}, {:.2} s",
-            self.title,
-            self.output.title(),
-            self.size[0],
-            self.size[1],
-            self.start.elapsed().as_secs_f64(),
-        ));
-        let stats = self.stats.then(|| {
-            let by_light = LightTests::all(&self.read, &self.counts);
-            stats::table(&self.counts, &by_light)
-        });
-        let answers = [self.certificate.as_ref().map(Report::to_string), stats];
-        for answer in answers.into_iter().flatten() {
-            // The answer to a question is a result.
-            let printed = messages.result(&answer, self.status);
-            if printed != self.status {
-                return printed;
-            }
-        }
-        if messages.verbose {
-            let counts = &self.counts;
-            messages.note(&format!(
-                "  {} rays: {} from the eye, {} to lights, {} from mirrors, {} through surfaces\n  \
-                 {} samples a pixel, scene hash {}",
-                counts.rays(),
-                counts.camera_rays,
-                counts.shadow_rays + counts.lamp_rays,
-                counts.mirror_rays,
-                counts.transmitted_rays,
-                picture.samples,
-                self.hash,
-            ));
-        }
-        self.status
-    }
-}
-
-fn write(
-    print: &Print,
-    scene: &Scene,
-    crop: Option<Region>,
-    hash: &str,
-    output: &Output,
-) -> std::io::Result<()> {
-    let settings = scene.picture.describe().to_string();
-    let mut notes = Notes(vec![
-        (
-            "Software",
-            concat!("heliodon ", env!("CARGO_PKG_VERSION")).to_owned(),
-        ),
-        ("Settings", settings.trim_end().to_owned()),
-        ("Scene hash", hash.to_owned()),
-    ]);
-    if let Some(crop) = crop {
-        notes
-            .0
-            .push(("Crop", crop.corners().map(|it| it.to_string()).join(",")));
-    }
-    match &output.path {
-        Some(path) => save(path, |out| print.write(out, &notes)),
-        None => {
-            let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = print.write(&mut out, &notes);
-            match written.and_then(|()| out.flush()) {
-                // A reader that has seen enough is no error.
-                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-                written => written,
-            }
-        }
+        bar.finish_and_clear();
+        drawn
     }
 }
 

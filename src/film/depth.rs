@@ -1,6 +1,7 @@
 //! What the numbers of a picture are kept in.
 
 use super::{Encoding, pfm};
+use crate::language::words;
 
 /// What each channel of a pixel is kept in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -14,25 +15,13 @@ pub enum Depth {
     Float,
 }
 
+words!(Depth {
+    Eight: "8",
+    Sixteen: "16",
+    Float: "float",
+});
+
 impl Depth {
-    /// All of them, the default first.
-    pub const ALL: [Self; 3] = [Self::Eight, Self::Sixteen, Self::Float];
-    /// Their words in a scene and on the command line, in the same order.
-    pub const WORDS: [&'static str; 3] = ["8", "16", "float"];
-
-    /// The word for it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        Self::WORDS[self as usize]
-    }
-
-    /// The depth with this word.
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<Self> {
-        let mut all = Self::ALL.into_iter();
-        all.find(|depth| depth.word() == word)
-    }
-
     /// The largest code value; floats are none.
     #[must_use]
     pub fn largest(self) -> Option<u16> {

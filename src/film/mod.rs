@@ -8,8 +8,8 @@ mod pfm;
 mod png;
 mod ppm;
 mod print;
-mod quantize;
 mod region;
+mod rounding;
 mod save;
 mod transfer;
 
@@ -17,8 +17,8 @@ pub use depth::Depth;
 pub use encoding::Encoding;
 pub use format::Format;
 pub use print::{Print, PrintRow};
-pub use quantize::Rounding;
 pub use region::Region;
+pub use rounding::Rounding;
 pub use save::{discard_unfinished, save};
 pub use transfer::Transfer;
 

@@ -15,10 +15,10 @@ pub(super) fn write(
     notes: &Notes,
 ) -> io::Result<()> {
     let side = |length: usize| u32::try_from(length).map_err(io::Error::other);
-    let mut encoder = png::Encoder::new(out, side(print.width())?, side(print.height())?);
+    let mut encoder = png::Encoder::new(out, side(print.width)?, side(print.height)?);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Fast);
-    if print.encoding().transfer == Transfer::Srgb {
+    if print.encoding.transfer == Transfer::Srgb {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         // For readers that do not know of sRGB: the power that is closest, as the PNG standard has it.
         encoder.set_source_gamma(png::ScaledFloat::from_scaled(45_455));

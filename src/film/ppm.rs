@@ -6,6 +6,6 @@ use super::Print;
 
 /// Writes a P6 file with 8 bits a channel.
 pub(super) fn write(print: &Print, out: &mut dyn Write) -> io::Result<()> {
-    write!(out, "P6\n{} {}\n255\n", print.width(), print.height())?;
+    write!(out, "P6\n{} {}\n255\n", print.width, print.height)?;
     out.write_all(print.bytes())
 }

@@ -11,10 +11,13 @@ use crate::math::Rgb;
 /// is drawn only to be written need not be kept in full.
 #[derive(Debug)]
 pub struct Print {
-    width: usize,
-    height: usize,
+    /// The width in pixels.
+    pub(super) width: usize,
+    /// The height in pixels.
+    pub(super) height: usize,
     format: Format,
-    encoding: Encoding,
+    /// How intensities have become the format's numbers.
+    pub(super) encoding: Encoding,
     /// Row by row from the top.
     bytes: Vec<u8>,
     /// For each row the columns with an infinite or not-a-number channel.
@@ -54,24 +57,6 @@ impl Print {
             row.expose(colors);
         });
         Some(print)
-    }
-
-    /// The width in pixels.
-    #[must_use]
-    pub fn width(&self) -> usize {
-        self.width
-    }
-
-    /// The height in pixels.
-    #[must_use]
-    pub fn height(&self) -> usize {
-        self.height
-    }
-
-    /// How intensities have become those numbers.
-    #[must_use]
-    pub fn encoding(&self) -> Encoding {
-        self.encoding
     }
 
     /// The numbers of the format, row by row from the top.

@@ -1,5 +1,6 @@
 //! From intensities to the values that code values stand for.
 
+use crate::language::words;
 use crate::math::exact::{Exact, Sign};
 
 /// The curve between an intensity and the value that its code value is a share of.
@@ -12,29 +13,12 @@ pub enum Transfer {
     Srgb,
 }
 
-/// How far from a threshold between two code values a value is rounded right: far more than what
-/// roots and roundings are off, for each curve.
-const CLOSE: [f64; 2] = [1.0 / 137_438_953_472.0, 1.0 / 1_048_576.0];
+words!(Transfer {
+    None: "none",
+    Srgb: "srgb",
+});
 
 impl Transfer {
-    /// All of them, the default first.
-    pub const ALL: [Self; 2] = [Self::None, Self::Srgb];
-    /// Their words in a scene and on the command line, in the same order.
-    pub const WORDS: [&'static str; 2] = ["none", "srgb"];
-
-    /// The word for it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        Self::WORDS[self as usize]
-    }
-
-    /// The curve with this word.
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<Self> {
-        let mut all = Self::ALL.into_iter();
-        all.find(|transfer| transfer.word() == word)
-    }
-
     /// The value of an intensity, right but for a few roundings: 0 for 0, and 1 for 1.
     #[must_use]
     pub fn value(self, intensity: f64) -> f64 {
@@ -75,9 +59,13 @@ impl Transfer {
         }
     }
 
-    /// How far from a threshold, in code values, [`value`](Self::value) is good enough to choose one.
+    /// How far from a threshold, in code values, [`value`](Self::value) is good enough to choose one:
+    /// far more than what roots and roundings are off.
     pub(super) fn close(self) -> f64 {
-        CLOSE[self as usize]
+        match self {
+            Self::None => 1.0 / 137_438_953_472.0,
+            Self::Srgb => 1.0 / 1_048_576.0,
+        }
     }
 
     /// Whether an intensity between 0 and 1 has a value of at least `halves / (2 largest)`, exactly.

@@ -12,6 +12,7 @@ mod schema;
 mod source;
 mod suggest;
 mod value;
+mod words;
 
 pub use joined::joined;
 pub use node::{Entry, Node};
@@ -21,3 +22,4 @@ pub use schema::{Attribute, Default, Naming, Range, Reference, Schema, Takes};
 pub use source::{Location, Source, Sources};
 pub use suggest::did_you_mean;
 pub use value::Value;
+pub(crate) use words::words;

@@ -3,7 +3,7 @@
 //! The readers check against it, `docs/scene-language.md` is compared with it, and `convert` leaves
 //! out what it gives as default.
 
-use super::{Value, joined};
+use super::{Value, joined, words};
 
 /// One kind of node: `plane`, `material`, `camera` …
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,16 +122,10 @@ pub enum Reference {
     Texture,
 }
 
-impl Reference {
-    /// The word of the node that is meant.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Material => "material",
-            Self::Texture => "texture",
-        }
-    }
-}
+words!(Reference {
+    Material: "material",
+    Texture: "texture",
+});
 
 /// The numbers that an attribute accepts; infinities and not-a-number are always refused.
 #[derive(Debug, Clone, Copy, PartialEq)]

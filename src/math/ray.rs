@@ -1,96 +1,10 @@
-//! Points, rays, and the stretch of a ray that counts.
+//! Rays, and the hits that they start from.
 
 use glam::DVec3;
 
-use super::Flat;
 use super::band::{FOOT, HEIGHT, SLIDE, UNIT};
-use super::exact::ExactVector;
 use super::vector::reflected;
-
-/// A point as an exact anchor and a small offset from it.
-///
-/// The anchor is a number of the scene file (the eye, the corner of a plane, the centre of a
-/// sphere), so differences between anchors are exact or nearly so, and a scene far from the
-/// origin is computed like the same scene at the origin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// A point given in the scene.
-    pub anchor: DVec3,
-    /// From the anchor to the point.
-    pub offset: DVec3,
-}
-
-impl Point {
-    /// A point given in the scene.
-    #[must_use]
-    pub const fn exact(anchor: DVec3) -> Self {
-        Self {
-            anchor,
-            offset: DVec3::ZERO,
-        }
-    }
-
-    /// The vector from a scene point to this one.
-    #[must_use]
-    pub fn from(&self, other: DVec3) -> DVec3 {
-        (self.anchor - other) + self.offset
-    }
-
-    /// The same point, as an offset from another scene point.
-    #[must_use]
-    pub fn about(&self, anchor: DVec3) -> Self {
-        Self {
-            anchor,
-            offset: self.from(anchor),
-        }
-    }
-
-    /// The vector to this point from another.
-    #[must_use]
-    pub fn way_from(&self, other: &Self) -> DVec3 {
-        (self.anchor - other.anchor) + (self.offset - other.offset)
-    }
-
-    /// The sum of all lengths that it is made of.
-    #[must_use]
-    pub fn size(&self) -> f64 {
-        self.anchor.abs().element_sum() + self.offset.abs().element_sum()
-    }
-
-    /// The vector from a scene point to this one, and the sum of all lengths that went into it,
-    /// which bounds its rounding.
-    #[must_use]
-    pub fn seen_from(&self, other: DVec3) -> (DVec3, f64) {
-        let between = self.anchor - other;
-        let size = between.abs().element_sum() + self.offset.abs().element_sum();
-        (between + self.offset, size)
-    }
-
-    /// Two vectors that lead from a scene point to this one, one after the other.
-    #[must_use]
-    pub fn parts_from(&self, other: DVec3) -> [DVec3; 2] {
-        [self.anchor - other, self.offset]
-    }
-
-    /// The vector from a scene point to this one, exactly.
-    #[must_use]
-    pub fn exactly_from(&self, other: DVec3) -> ExactVector {
-        let between = &ExactVector::from(self.anchor) - &ExactVector::from(other);
-        &between + &ExactVector::from(self.offset)
-    }
-
-    /// The point in world coordinates, rounded.
-    #[must_use]
-    pub fn world(&self) -> DVec3 {
-        self.anchor + self.offset
-    }
-}
-
-impl From<DVec3> for Point {
-    fn from(anchor: DVec3) -> Self {
-        Self::exact(anchor)
-    }
-}
+use super::{Flat, Point};
 
 /// The plane, sphere or other surface sheet that a hit lies on. Coplanar surfaces share one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -128,6 +42,7 @@ pub struct Departure<'a> {
     pub arriving: &'a Ray<'a>,
     /// How far at most the point lies from where it ought to.
     rounding: f64,
+    /// That of the rays that start there, as is the next.
     doubt: f64,
     astray: f64,
 }
@@ -259,82 +174,4 @@ impl<'a> Ray<'a> {
 
 fn is_unit(dir: DVec3) -> bool {
     (dir.length_squared() - 1.0).abs() < 16.0 * f64::EPSILON
-}
-
-/// The distances along a ray that count: open at zero, closed at the given bounds.
-///
-/// Comparisons are written so that not-a-number lies outside.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
-    min: f64,
-    max: f64,
-}
-
-impl Span {
-    /// Everything ahead of the origin.
-    pub const AHEAD: Self = Self {
-        min: 0.0,
-        max: f64::MAX,
-    };
-
-    /// The largest distance that counts.
-    #[must_use]
-    pub fn max(self) -> f64 {
-        self.max
-    }
-
-    /// Whether a hit at distance `t` counts.
-    #[must_use]
-    pub fn contains(self, t: f64) -> bool {
-        t > 0.0 && t >= self.min && t <= self.max
-    }
-
-    /// Whether a hit counts that was computed to lie at distance `t`, but may be nearer by as much
-    /// as `error`.
-    ///
-    /// So a hit that may be the nearest is not lost only because another is known better.
-    #[must_use]
-    pub fn admits(self, t: f64, error: f64) -> bool {
-        t > 0.0 && t >= self.min && t - error <= self.max && t <= f64::MAX
-    }
-
-    /// The part up to distance `t`.
-    #[must_use]
-    pub fn until(self, t: f64) -> Self {
-        Self {
-            max: self.max.min(t),
-            ..self
-        }
-    }
-
-    /// The part from distance `t` on.
-    #[must_use]
-    pub fn since(self, t: f64) -> Self {
-        Self {
-            min: self.min.max(t),
-            ..self
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_span_excludes_its_origin_and_nonsense() {
-        let span = Span::AHEAD.until(2.0).since(1.0);
-        assert!(span.contains(1.0) && span.contains(2.0));
-        assert!(!span.contains(0.5) && !span.contains(f64::NAN) && !span.contains(f64::INFINITY));
-        assert!(!Span::AHEAD.contains(0.0) && Span::AHEAD.contains(5e-324));
-    }
-
-    #[test]
-    fn a_far_scene_is_computed_like_a_near_one() {
-        let far = Point {
-            anchor: DVec3::splat(1e9),
-            offset: DVec3::new(0.1, 0.2, 0.3),
-        };
-        assert_eq!(far.from(DVec3::splat(1e9 - 1.0)), DVec3::new(1.1, 1.2, 1.3));
-    }
 }

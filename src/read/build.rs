@@ -45,40 +45,21 @@ pub(super) fn scene(
     let position = |at: Location| files.sources().position(at);
     refuse_duplicates(of(nodes, &Texture::SCHEMA), problems, position);
     refuse_duplicates(of(nodes, &Material::SCHEMA), problems, position);
-    refuse_duplicates(
-        nodes.iter().filter(|node| is_light(node)),
-        problems,
-        position,
-    );
-    refuse_duplicates(
-        nodes.iter().filter(|node| is_surface(node)),
-        problems,
-        position,
-    );
-
+    for is_kind in [is_light, is_surface] {
+        let kind = nodes.iter().filter(|node| is_kind(node));
+        refuse_duplicates(kind, problems, position);
+    }
     refuse_too_large(nodes, problems);
     if complete {
         refuse_missing(nodes, problems);
     }
-    let picture = sound(nodes, &Picture::SCHEMA, &files, problems).and_then(|node| {
-        Picture::from_node(node)
-            .map_err(|no| refused(node, no, problems))
-            .ok()
-    });
-    let view = sound(nodes, &View::SCHEMA, &files, problems).and_then(|node| {
-        View::from_node(node)
-            .map_err(|no| refused(node, no, problems))
-            .ok()
-    });
+    let picture = sound(nodes, &Picture::SCHEMA, &files, problems)
+        .and_then(|node| accepted(node, Picture::from_node(node), problems));
+    let view = sound(nodes, &View::SCHEMA, &files, problems)
+        .and_then(|node| accepted(node, View::from_node(node), problems));
     let lighting = sound(nodes, &Lighting::SCHEMA, &files, problems);
     let picture = picture.map(|picture| {
-        let [width, height] = options.size.unwrap_or([picture.width, picture.height]);
-        let sized = Picture {
-            width,
-            height,
-            ..picture
-        };
-        let set = options.settings.iter().fold(sized, Picture::with);
+        let set = with_options(picture, options);
         if let (Err(no), Some(node)) = (set.check(), of(nodes, &Picture::SCHEMA).next()) {
             refused(node, no, problems);
         }
@@ -182,6 +163,17 @@ fn refuse_missing(nodes: &[Node], problems: &mut Vec<Problem>) {
     }
 }
 
+/// The picture with what is asked for instead of what the scene says.
+fn with_options(picture: Picture, options: &Options) -> Picture {
+    let [width, height] = options.size.unwrap_or([picture.width, picture.height]);
+    let sized = Picture {
+        width,
+        height,
+        ..picture
+    };
+    options.settings.iter().fold(sized, Picture::with)
+}
+
 /// The node of a kind that a scene may have once, if it is there and makes sense.
 fn sound<'a>(
     nodes: &'a [Node],
@@ -226,9 +218,7 @@ fn light(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Ligh
     let location = node.triple("location");
     let beam = if node.schema == &Cone::SCHEMA {
         let cone = Cone::new(location, node.triple("point"), node.number("theta"));
-        cone.map(Beam::Cone)
-            .map_err(|refusal| refused(node, refusal, problems))
-            .ok()
+        accepted(node, cone, problems).map(Beam::Cone)
     } else if node.schema == &Slide::SCHEMA {
         slide(node, parts, problems).map(|slide| Beam::Slide(Box::new(slide)))
     } else {
@@ -246,9 +236,8 @@ fn light(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Ligh
 
 fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slide> {
     let (normal, xdir) = (node.triple("normal"), node.triple("xdir"));
-    let rectangle = Rectangle::new(node.triple("point"), normal, xdir, node.pair("dimensions"))
-        .map_err(|refusal| refused(node, refusal, problems))
-        .ok();
+    let rectangle = Rectangle::new(node.triple("point"), normal, xdir, node.pair("dimensions"));
+    let rectangle = accepted(node, rectangle, problems);
     let image = textures::map(node, parts, problems);
     let (image, texel_given) = image?;
     Some(Slide {
@@ -260,8 +249,18 @@ fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slid
     })
 }
 
+/// What was made of a node; `None` if it was refused, which is a problem then.
+pub(super) fn accepted<T>(
+    node: &Node,
+    made: Result<T, Refusal>,
+    problems: &mut Vec<Problem>,
+) -> Option<T> {
+    made.map_err(|refusal| refused(node, refusal, problems))
+        .ok()
+}
+
 /// Turns a refusal into an error at the attribute that it blames.
-pub(super) fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
+fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
     let mut attributes = node.schema.all_attributes();
     let blamed = attributes.find(|attribute| attribute.word == refusal.word);
     let label = match (blamed, refusal.expected) {

@@ -108,13 +108,15 @@ pub fn bytes_from(reader: impl Read) -> io::Result<Vec<u8>> {
 /// # Errors
 /// The first line that is not UTF-8.
 pub(super) fn text_of(bytes: Vec<u8>) -> Result<String, usize> {
-    let text = String::from_utf8(bytes).map_err(|error| {
+    let mut text = String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         valid.iter().filter(|byte| **byte == b'\n').count() + 1
     })?;
-    Ok(text
-        .strip_prefix('\u{feff}')
-        .map_or(text.clone(), str::to_owned))
+    // What some editors begin a file with says nothing.
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
+    Ok(text)
 }
 
 /// Why a file cannot be read, in words that are the same on every system where that is possible.

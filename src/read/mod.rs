@@ -110,37 +110,18 @@ pub fn read_bytes(
         // Old scenes name their textures from wherever the program was started.
         Language::Course => vec![directory, PathBuf::new()],
     };
-    let source = match text {
-        Ok(text) => {
-            let source = Source {
-                name: name.to_owned(),
-                text: text.into(),
-                included_at: None,
-            };
-            files.add(source, directories)
-        }
-        Err(line) => {
-            let source = Source {
-                name: name.to_owned(),
-                text: "".into(),
-                included_at: None,
-            };
-            files.add(source, directories);
-            return Err(Rejection {
-                problems: vec![Problem {
-                    message: if is_picture {
-                        format!("{name} is a picture, not a scene")
-                    } else {
-                        format!("{name} is not a text: line {line} is not UTF-8")
-                    },
-                    help: (!is_picture)
-                        .then(|| "save it as UTF-8, if it is a scene file".to_owned()),
-                    ..no_place()
-                }],
-                sources: files.into_sources(),
-            });
-        }
+    let source = Source {
+        name: name.to_owned(),
+        text: text.as_deref().unwrap_or("").into(),
+        included_at: None,
     };
+    let source = files.add(source, directories);
+    if let Err(line) = text {
+        return Err(Rejection {
+            problems: vec![no_text(name, line, is_picture)],
+            sources: files.into_sources(),
+        });
+    }
     let Nodes { nodes, complete } = match language {
         Language::Kdl => kdl::read(source, &mut files, &mut problems),
         Language::Course => Nodes {
@@ -167,6 +148,22 @@ pub fn read_bytes(
             problems: limited(errors, warnings),
             sources,
         }),
+    }
+}
+
+/// What is wrong with bytes of which those in this line are no text.
+fn no_text(name: &str, line: usize, is_picture: bool) -> Problem {
+    let (message, help) = if is_picture {
+        (format!("{name} is a picture, not a scene"), None)
+    } else {
+        let help = "save it as UTF-8, if it is a scene file";
+        let message = format!("{name} is not a text: line {line} is not UTF-8");
+        (message, Some(help.to_owned()))
+    };
+    Problem {
+        message,
+        help,
+        ..no_place()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::build::{Parts, refused};
+use super::build::{Parts, accepted};
 use super::textures;
 use crate::language::{Node, Problem, Refusal, Value};
 use crate::surface::{
@@ -26,8 +26,7 @@ pub(super) fn surface(
     } else {
         with_material(node, parts, problems)?
     };
-    made.map_err(|refusal| refused(node, refusal, problems))
-        .ok()
+    accepted(node, made, problems)
 }
 
 /// The surface, or why it cannot exist; `None` if that is a problem already.
@@ -64,7 +63,7 @@ fn with_material(
         "tiled-plane" => {
             let alternate = parts.materials.find(node, "alternate");
             let plane = Plane::new(common(material?), point(), normal());
-            let start = TileStart::from_word(&node.text("start"));
+            let start = TileStart::from_word(&node.text("start")).unwrap_or_default();
             let (xdir, tile, alternate) =
                 (node.triple("xdir"), node.pair("dimensions"), alternate?);
             boxed(plane.and_then(|plane| TiledPlane::new(plane, xdir, tile, start, alternate)))

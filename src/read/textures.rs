@@ -9,7 +9,7 @@ use glam::DVec2;
 use super::{Files, build::Parts, files};
 use crate::language::{Node, Problem, Value};
 use crate::texture::{
-    DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, check, decode,
+    DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, Wrap, check, decode,
 };
 
 /// The textures of a scene by name; `None` for one that is not used or cannot be read.
@@ -104,10 +104,9 @@ pub(super) fn map(
     let texture = parts.textures.find(node, "texture")?;
     let entry = node.entry("texture")?;
     let given = entry.property("texel").map(|texel| texel.pair());
-    let repeat = entry
-        .property("mode")
-        .is_some_and(|mode| mode.text() == "repeat");
-    if !repeat {
+    let mode = entry.property("mode");
+    let wrap = mode.and_then(|mode| Wrap::from_word(mode.text()));
+    if wrap != Some(Wrap::Repeat) {
         let stray = entry
             .properties
             .iter()

@@ -60,7 +60,7 @@ impl Tracer<'_> {
             }
             let mut light = diffuse * view.lamp.emissivity() * arriving;
             let mut passed = Rgb::WHITE;
-            if entry.surface.common().shadows.receive {
+            if entry.common.shadows.receive {
                 let lit = Lit {
                     lamp,
                     departure,

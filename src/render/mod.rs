@@ -3,7 +3,9 @@
 mod adaptive;
 mod beams;
 mod both;
+mod budget;
 mod certificate;
+mod counts;
 mod errors;
 mod lamps;
 mod media;
@@ -11,16 +13,20 @@ mod probe;
 mod rows;
 mod seed;
 mod shading;
+mod tally;
 mod thread_work;
 mod tracer;
+mod turn;
 mod watch;
 
 pub use both::Both;
 pub use certificate::Certificate;
-pub use errors::{Errors, Turn};
-pub use probe::{Arrival, Counts, Probe, RayKind, Unfollowed};
+pub use counts::Counts;
+pub use errors::Errors;
+pub use probe::{Arrival, Probe, RayKind, Unfollowed};
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
+pub use turn::Turn;
 
 use adaptive::Adaptive;
 use seed::Seed;

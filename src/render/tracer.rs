@@ -5,14 +5,9 @@ use crate::math::{Beam, Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
+use super::budget::Budget;
 use super::media::Media;
 use super::{Errors, Probe, RayKind, Seed, Turn, Unfollowed};
-
-/// The most mirrored and transmitted rays that one ray from the eye may cause.
-///
-/// Two facing perfect mirrors would go on for ever; smaller, and long rows of mirror images end
-/// too early; larger, and a path needs more stack than a thread has.
-const MOST_BOUNCES: u32 = 1000;
 
 /// Finds the colours of a planned scene.
 #[derive(Debug, Clone, Copy)]
@@ -35,40 +30,6 @@ struct Path<'a> {
     seed: Seed,
     /// The rays around it, if a filter asks for them.
     beam: Option<&'a Beam>,
-}
-
-/// What is left for the rays that one ray from the eye causes.
-#[derive(Debug)]
-struct Budget {
-    /// How many more there may be.
-    rays: u32,
-    /// How much light may still be missed.
-    light: f64,
-}
-
-impl Budget {
-    /// Puts a share aside, so that the one of two rays that is followed first cannot use up all.
-    fn put_aside(&mut self, share: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a share of a small count"
-        )]
-        let rays = (f64::from(self.rays) * share) as u32;
-        let aside = Self {
-            rays,
-            light: self.light * share,
-        };
-        self.rays -= aside.rays;
-        self.light -= aside.light;
-        aside
-    }
-
-    /// Adds what was put aside to what is left.
-    fn take_back(&mut self, aside: Self) {
-        self.rays += aside.rays;
-        self.light += aside.light;
-    }
 }
 
 impl<'a> Tracer<'a> {
@@ -112,10 +73,7 @@ impl<'a> Tracer<'a> {
         seed: Seed,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let mut budget = Budget {
-            rays: MOST_BOUNCES,
-            light: self.plan.scene.picture.missing_light(),
-        };
+        let mut budget = Budget::new(self.plan.scene.picture.missing_light());
         let beam = self.plan.filter.map(|_| self.beam(x, y));
         let path = Path {
             travelled: 0.0,
@@ -210,10 +168,7 @@ impl<'a> Tracer<'a> {
             Probe::ray(probe, kind, share);
             let next = Ray::leaving(&departure, dir);
             // What nothing called for must not move, by so much as a rounding, what others may spend.
-            let mut nothing = Budget {
-                rays: 0,
-                light: 0.0,
-            };
+            let mut nothing = Budget::NOTHING;
             let budget = if uncalled { &mut nothing } else { budget };
             share * self.trace(&next, &path, budget, probe)
         };
@@ -252,16 +207,7 @@ impl<'a> Tracer<'a> {
         if path.travelled > self.plan.scene.lighting.reach {
             return Err(Unfollowed::BeyondReach);
         }
-        let missed = self.plan.tail.of(path.weight, divisor);
-        if missed <= budget.light {
-            budget.light -= missed;
-            return Err(Unfollowed::TooFaint(missed));
-        }
-        budget.rays = budget
-            .rays
-            .checked_sub(1)
-            .ok_or(Unfollowed::Capped(missed))?;
-        Ok(())
+        budget.spend(self.plan.tail.of(path.weight, divisor))
     }
 }
 

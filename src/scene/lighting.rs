@@ -1,6 +1,6 @@
 //! How light fades with distance.
 
-use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes};
+use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, words};
 
 /// How light fades on its way from the lights and to the eye. The default is the chapter's model.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,28 +14,24 @@ pub struct Lighting {
 }
 
 /// How an intensity fades with a distance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Falloff {
     /// Not at all.
     None,
     /// By 1/d.
+    #[default]
     Inverse,
     /// By 1/d².
     InverseSquare,
 }
 
+words!(Falloff {
+    None: "none",
+    Inverse: "inverse",
+    InverseSquare: "inverse-square",
+});
+
 impl Falloff {
-    const ALL: [Self; 3] = [Self::None, Self::Inverse, Self::InverseSquare];
-    const WORDS: [&'static str; 3] = ["none", "inverse", "inverse-square"];
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::None => Self::WORDS[0],
-            Self::Inverse => Self::WORDS[1],
-            Self::InverseSquare => Self::WORDS[2],
-        }
-    }
-
     /// What an intensity is divided by at a distance; never zero, however near.
     #[must_use]
     pub fn divisor(self, distance: f64) -> f64 {
@@ -72,13 +68,13 @@ impl Lighting {
                 Takes::Word(&Falloff::WORDS),
                 "with the way from a light",
             )
-            .or(Default::Word("inverse")),
+            .or(Default::Word(Falloff::Inverse.word())),
             Attribute::new(
                 "view-falloff",
                 Takes::Word(&Falloff::WORDS),
                 "with the whole way from the eye, mirrors included",
             )
-            .or(Default::Word("inverse")),
+            .or(Default::Word(Falloff::Inverse.word())),
             Attribute::new(
                 "reach",
                 Takes::Number(Range::Positive),
@@ -92,12 +88,7 @@ impl Lighting {
     /// What a `lighting` node says.
     #[must_use]
     pub fn from_node(node: &Node) -> Self {
-        let falloff = |word| {
-            let all = Falloff::ALL.into_iter();
-            all.clone()
-                .find(|falloff| falloff.word() == node.text(word))
-                .unwrap_or(Falloff::Inverse)
-        };
+        let falloff = |word| Falloff::from_word(&node.text(word)).unwrap_or_default();
         Self {
             falloff: falloff("falloff"),
             view_falloff: falloff("view-falloff"),

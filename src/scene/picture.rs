@@ -80,7 +80,7 @@ impl Picture {
                  of which the places on lamps are parts, too, and `random` anywhere; `center` is \
                  for one ray",
             )
-            .or(Default::Word("stratified")),
+            .or(Default::Word(Pattern::Stratified.word())),
             Attribute::new(
                 "max-error",
                 Takes::Number(Range::Between(0.0, 1.0)),
@@ -95,7 +95,7 @@ impl Picture {
                 "the curve from intensities to code values: none, as in the chapter, or that of \
                  sRGB, which screens expect",
             )
-            .or(Default::Word("none")),
+            .or(Default::Word(Transfer::None.word())),
             Attribute::new(
                 "depth",
                 Takes::Word(&Depth::WORDS),
@@ -103,13 +103,13 @@ impl Picture {
                  floats, which are intensities; it chooses between formats as far as neither the \
                  output's name nor `--format` does",
             )
-            .or(Default::Word("8")),
+            .or(Default::Word(Depth::Eight.word())),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
                 "to the nearest code value, or to the next lower one",
             )
-            .or(Default::Word("round")),
+            .or(Default::Word(Rounding::Nearest.word())),
             Attribute::new(
                 "cut-off",
                 Takes::Number(Range::Between(0.0, 1.0)),
@@ -122,13 +122,13 @@ impl Picture {
                 Takes::Word(&Numerics::WORDS),
                 "what decides where rays meet surfaces; `classic` is the chapter's own algorithm",
             )
-            .or(Default::Word("robust")),
+            .or(Default::Word(Numerics::Robust.word())),
             Attribute::new(
                 "texture-filter",
                 Takes::Word(&Filter::WORDS),
                 "what is seen of a texture in a pixel: the texel in its middle, or more",
             )
-            .or(Default::Word("nearest")),
+            .or(Default::Word(Filter::Nearest.word())),
         ],
         attributes: &[],
     };

@@ -14,7 +14,7 @@
 use std::f64::consts::PI;
 
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
-use crate::language::{Attribute, Naming, Node, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Schema, Takes, words};
 use crate::math::exact::Distance;
 use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
 
@@ -34,25 +34,14 @@ pub enum Shader {
     ColorWheel,
 }
 
+words!(Shader {
+    Stripes: "stripes",
+    ColorWheel: "color-wheel",
+});
+
 impl Shader {
-    const WORDS: [&'static str; 2] = ["stripes", "color-wheel"];
     /// The largest channel of any of its colours.
     const LARGEST: f64 = 2.0;
-
-    /// The shader with this word.
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<Self> {
-        [Self::Stripes, Self::ColorWheel]
-            .into_iter()
-            .find(|shader| shader.word() == word)
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Stripes => Self::WORDS[0],
-            Self::ColorWheel => Self::WORDS[1],
-        }
-    }
 
     /// The colour at an offset from the plane's point, along the world's x and y.
     fn at(self, x: f64, y: f64) -> Rgb {

@@ -39,10 +39,10 @@ impl TexturePlane {
     .with(&[
         Attribute::new(
             "mode",
-            Takes::Word(&["clamp", "repeat"]),
+            Takes::Word(&Wrap::WORDS),
             "stretch the image over the whole surface, or tile it at its own scale",
         )
-        .or(Default::Word("clamp")),
+        .or(Default::Word(Wrap::Clamp.word())),
         Attribute::new(
             "texel",
             Takes::NumberOrPair(Range::Positive),
@@ -79,20 +79,14 @@ impl TexturePlane {
 
     /// Adds the texture of a rectangle to its node.
     pub(crate) fn describe_image(node: Node, image: &TextureMap, texel_given: bool) -> Node {
-        let mode = match image.wrap {
-            Wrap::Clamp => "clamp",
-            Wrap::Repeat => "repeat",
-        };
-        let mut properties = vec![("mode", mode.into())];
+        let mut properties = vec![("mode", image.wrap.word().into())];
         if texel_given {
             properties.push(("texel", number_or_pair(image.size.to_array())));
         }
         let name = image.texture.name.as_str();
         node.with_entry("texture", Some(name.into()), &properties)
     }
-}
 
-impl TexturePlane {
     /// Settles a hit whose offset is off by as much as `doubt`, which may be another texel's.
     #[cold]
     fn settle_in_doubt(&self, hit: &mut Hit, doubt: f64, ray: &Ray) {

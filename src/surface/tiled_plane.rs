@@ -19,7 +19,9 @@ use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
-use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes};
+use crate::language::{
+    Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes, words,
+};
 use crate::material::Material;
 use crate::math::band::FOOT;
 use crate::math::exact::{Distance, decimal};
@@ -41,38 +43,25 @@ pub struct TiledPlane {
 }
 
 /// Where the tiles are counted from, and which material comes first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TileStart {
     /// The plane's point is the lower-left corner of a tile of the main material.
+    #[default]
     Point,
     /// As in the course's programs: from the world's origin, 100,000 added before dividing, the
     /// main material where the tile numbers add up to an odd number.
     Course,
 }
 
+words!(TileStart {
+    Point: "point",
+    Course: "course",
+});
+
 impl TileStart {
     /// What the course's programs add to a coordinate before they divide it, so that it is not
     /// below zero, where truncation would make a tile twice as wide.
     pub(super) const BIG: f64 = 100_000.0;
-
-    const WORDS: [&'static str; 2] = ["point", "course"];
-
-    /// The start with this word; `Point` for any other.
-    #[must_use]
-    pub fn from_word(word: &str) -> Self {
-        if word == Self::WORDS[1] {
-            Self::Course
-        } else {
-            Self::Point
-        }
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Point => Self::WORDS[0],
-            Self::Course => Self::WORDS[1],
-        }
-    }
 }
 
 impl TiledPlane {
@@ -100,7 +89,7 @@ impl TiledPlane {
                     Takes::Word(&TileStart::WORDS),
                     "count tiles from `point`, or as the course's programs did",
                 )
-                .or(Default::Word("point")),
+                .or(Default::Word(TileStart::Point.word())),
             ],
         ],
     };
@@ -144,10 +133,12 @@ impl TiledPlane {
                 (DVec2::new(x.cell(hit.uv.x), y.cell(hit.uv.y)), 0.0)
             }
             TileStart::Course => {
-                const BIG: f64 = 100_000.0;
                 let world = hit.point.world();
                 let along = DVec2::new(self.frame.x.dot(world), self.frame.y.dot(world));
-                (((along + DVec2::splat(BIG)) / self.tile).floor(), 1.0)
+                (
+                    ((along + DVec2::splat(TileStart::BIG)) / self.tile).floor(),
+                    1.0,
+                )
             }
         };
         let (main, alternate) = (color(&self.plane.common().material), color(&self.alternate));

@@ -1,5 +1,7 @@
 //! From a place in an image to the index of a texel.
 
+use crate::language::words;
+
 /// What happens outside of the image: the chapter's CLAMP and REPEAT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wrap {
@@ -8,6 +10,11 @@ pub enum Wrap {
     /// The image is repeated.
     Repeat,
 }
+
+words!(Wrap {
+    Clamp: "clamp",
+    Repeat: "repeat",
+});
 
 impl Wrap {
     /// The index from 0 to `count − 1` for a place counted in texels from the image's edge.

@@ -7,15 +7,6 @@ use heliodon::math::{Crossing, Decisions, Departure, Flat, Point, Ray, Rectangle
 /// all roundings at once, which no search finds.
 #[test]
 fn no_bound_is_smaller_than_its_proof() {
-    let crossing = |slope: f64| Crossing {
-        origin: DVec3::ZERO,
-        height: 0.0,
-        slope,
-        rises: true,
-        doubt: 0.0,
-        at_start: None,
-        grazing: None,
-    };
     let quotient = crossing(2f64.powi(100)).error(1.0);
     let flat = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
     let down = |point: DVec3| Ray::new(Point::exact(point), DVec3::NEG_Z);
@@ -102,10 +93,9 @@ fn first_certain(side: f64, height: f64) -> f64 {
     high
 }
 
-/// The bound of the slope's error, read off the error of a distance where nothing else counts.
-pub(super) fn slope_bound() -> f64 {
-    let slope = 2f64.powi(-100);
-    let crossing = Crossing {
+/// A crossing at the origin where only the slope adds to the error of the distance.
+fn crossing(slope: f64) -> Crossing {
+    Crossing {
         origin: DVec3::ZERO,
         height: 0.0,
         slope,
@@ -113,6 +103,11 @@ pub(super) fn slope_bound() -> f64 {
         doubt: 0.0,
         at_start: None,
         grazing: None,
-    };
-    crossing.error(1.0) * slope
+    }
+}
+
+/// The bound of the slope's error, read off the error of a distance where nothing else counts.
+pub(super) fn slope_bound() -> f64 {
+    let slope = 2f64.powi(-100);
+    crossing(slope).error(1.0) * slope
 }

@@ -1,0 +1,273 @@
+//! How a ray goes on where it meets a surface, and how right it is then.
+
+use crate::math::band::UNIT;
+
+/// How a ray goes on where it meets a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Turn {
+    /// In its own direction, bit for bit.
+    Straight,
+    /// Mirrored.
+    Mirrored,
+    /// Bent, between media whose indices of refraction have this ratio, that before the surface to that
+    /// behind it.
+    Bent(f64),
+}
+
+impl Turn {
+    /// How far a ray may be beside its way and by how much its direction may be wrong behind a surface,
+    /// from the same two before it.
+    ///
+    /// The normal is off by an angle of `tilt`; `cosine` is that of the angle between normal and ray.
+    pub(super) fn behind(self, [beside, direction]: [f64; 2], tilt: f64, cosine: f64) -> [f64; 2] {
+        let [beside, direction] = match self {
+            Self::Straight => [beside, direction],
+            Self::Mirrored => [beside, mirrored(direction, tilt)],
+            Self::Bent(ratio) => bent([beside, direction], tilt, ratio, cosine),
+        };
+        // To first order says nothing of large angles.
+        let is_small = direction < 1.0;
+        [beside, if is_small { direction } else { f64::INFINITY }]
+    }
+}
+
+/// By how much the direction may be wrong behind a mirror whose normal is off by `tilt`: by twice
+/// that more.
+fn mirrored(direction: f64, tilt: f64) -> f64 {
+    // Twice the product with the normal is off by 6 u, and taking it off and making the rest
+    // unit add 3 and 5.
+    const MIRRORING: f64 = 16.0 * UNIT;
+    direction + 2.0 * tilt + MIRRORING
+}
+
+/// How far beside its way a ray may be that was bent, and by how much its direction may be wrong.
+///
+/// With `μ` for the ratio, the law of refraction is `sin β = μ sin α`. So if the ray before is off in the
+/// plane of both rays, that behind is off by `μ cos α / cos β` times as much; if it is turned about
+/// the normal, their parts along the surface turn by the same angle, which is `μ` times as much. And
+/// if the normal is off by an angle, so is `α`, but `β` is counted from that normal: in the plane the ray
+/// is off by `|μ cos α / cos β − 1|` times the angle, and across by `|μ cos α − cos β|` times, which is
+/// less.
+///
+/// Towards the angle of total reflection `cos β` goes to zero, and these grow without bound. So they
+/// are taken for the largest `α` that may be; if nothing passes at that one, all is unknown.
+///
+/// Rounding puts `cos α` off by 5 u, so `μ² sin² α` by `(10 μ² + 5) u`, the root `cos β` by half of that and u,
+/// divided by itself, and the unit direction by `(10 μ + 12) u` more.
+///
+/// What slides along the surface by `1 / cos α` passes the ray behind at `cos β / cos α`.
+fn bent([beside, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f64; 2] {
+    let angle = direction + tilt + 16.0 * UNIT;
+    let sine = (1.0 - cosine * cosine).sqrt();
+    let most = ratio * (sine + angle);
+    if most.is_nan() || most >= 1.0 {
+        return [f64::INFINITY; 2];
+    }
+    let [cosine_at_least, cosine_at_most] = [ratio * (sine - angle).max(0.0), most]
+        .map(|bent_sine| (1.0 - bent_sine * bent_sine).sqrt());
+    let in_plane = ratio * (cosine + angle) / cosine_at_most;
+    let of_tilt = if ratio > 1.0 {
+        in_plane - 1.0
+    } else {
+        1.0 - ratio * (cosine - angle) / cosine_at_least
+    };
+    let rounding = ((5.0 * ratio * ratio + 3.0) / cosine_at_most + 10.0 * ratio + 12.0) * UNIT;
+    let direction = direction * ratio.max(in_plane) + tilt * of_tilt + rounding;
+    let widening = (cosine_at_least / cosine).max(1.0);
+    [times(beside, widening), direction]
+}
+
+/// A product of errors: none of anything is none.
+pub(super) fn times(error: f64, factor: f64) -> f64 {
+    if error == 0.0 || factor == 0.0 {
+        0.0
+    } else {
+        error * factor
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dashu::float::FBig;
+    use glam::DVec3;
+
+    use super::*;
+    use crate::math::{Point, Ray, Refraction, direction};
+
+    const RATIOS: [f64; 6] = [0.4, 1.0 / 1.5, 0.99, 1.333, 1.5, 2.4];
+
+    fn falling(angle: f64) -> DVec3 {
+        DVec3::new(libm::sin(angle), -libm::cos(angle), 0.0)
+    }
+
+    fn angles() -> impl Iterator<Item = f64> {
+        (0..157).map(|hundredth| f64::from(hundredth) / 100.0)
+    }
+
+    fn turned(dir: DVec3, normal: DVec3, turn: Turn) -> Option<DVec3> {
+        match turn {
+            Turn::Straight => Some(dir),
+            Turn::Mirrored => Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal)),
+            Turn::Bent(ratio) => Refraction::new(dir, normal, ratio, 1.0).bent,
+        }
+    }
+
+    /// The largest angle by which a ray is off when its direction and the normal are off by these in
+    /// any way; `None` if there is no ray then.
+    fn largest(angle: f64, turn: Turn, off: f64, tilt: f64) -> Option<f64> {
+        let dir = falling(angle);
+        let across = [direction(dir.cross(DVec3::Z)), DVec3::Z];
+        let expected = turned(dir, DVec3::Y, turn)?;
+        let mut largest = 0f64;
+        for step in 0..256 {
+            let (first, second) = (f64::from(step % 16) / 8.0, f64::from(step / 16) / 8.0);
+            let way = |turns: f64, [x, y]: [DVec3; 2]| {
+                let turns = turns * std::f64::consts::PI;
+                x * libm::cos(turns) + y * libm::sin(turns)
+            };
+            let dir = direction(dir + way(first, across) * off);
+            let normal = direction(DVec3::Y + way(second, [DVec3::X, DVec3::Z]) * tilt);
+            largest = largest.max((turned(dir, normal, turn)? - expected).length());
+        }
+        Some(largest)
+    }
+
+    #[test]
+    fn what_is_off_before_a_surface_is_off_behind_it_by_no_more_than_said() {
+        let mut compared = 0;
+        let turns = RATIOS
+            .map(Turn::Bent)
+            .into_iter()
+            .chain([Turn::Mirrored, Turn::Straight]);
+        for turn in turns {
+            for angle in angles() {
+                for (off, tilt) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, 1e-6), (1e-6, 1e-9)] {
+                    let [_, said] = turn.behind([0.0, off], tilt, libm::cos(angle));
+                    let Some(found) = largest(angle, turn, off, tilt) else {
+                        assert!(said.is_infinite(), "{turn:?} {angle}");
+                        continue;
+                    };
+                    assert!(
+                        found <= said * (1.0 + 1e-5) + 1e-15,
+                        "{found} {said} {turn:?} {angle}"
+                    );
+                    if let Turn::Bent(ratio) = turn
+                        && ratio * libm::sin(angle) > 0.999
+                    {
+                        continue;
+                    }
+                    assert!(
+                        said <= 2.0 * found + 1e-13,
+                        "{found} {said} {turn:?} {angle} {off} {tilt}"
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 3000, "{compared}");
+    }
+
+    #[test]
+    fn near_total_reflection_nothing_is_known_and_never_not_a_number() {
+        let critical = libm::asin(1.0 / 1.5);
+        let near = |below: f64, beside: f64, tilt: f64, direction: f64| {
+            let cosine = libm::cos(critical - below);
+            Turn::Bent(1.5).behind([beside, direction], tilt, cosine)
+        };
+        assert!(near(1e-9, 0.0, 0.0, 0.0)[1] < 1e-9);
+        assert!(near(1e-9, 0.0, 0.0, 1e-8)[1].is_infinite());
+        let turns = [
+            Turn::Mirrored,
+            Turn::Bent(1.5),
+            Turn::Bent(0.5),
+            Turn::Straight,
+        ];
+        for off in [0.0, 1e-300, 1e-9, 1.0, 1e300, f64::INFINITY] {
+            for below in [0.0, 1e-16, 1e-12, 0.1, critical] {
+                for direction in [0.0, 1e-9, f64::INFINITY] {
+                    let mut errors = near(below, off, off, direction);
+                    for turn in turns {
+                        for cosine in [0.0, 1.0, libm::cos(0.7)] {
+                            errors = turn.behind(errors, off, cosine);
+                            assert!(errors.iter().all(|it| !it.is_nan()), "{errors:?}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    type Big = FBig;
+
+    fn big(number: f64) -> Big {
+        Big::try_from(number)
+            .expect("finite")
+            .with_precision(300)
+            .value()
+    }
+
+    /// Where a ray is bent to with hundreds of digits, as unit vectors along what is given.
+    fn bent_precisely(dir: DVec3, normal: DVec3, ratio: f64) -> [Big; 3] {
+        let dot = |a: &[Big; 3], b: &[Big; 3]| &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2];
+        let unit = |vector: DVec3| {
+            let vector = vector.to_array().map(big);
+            let length = dot(&vector, &vector).sqrt();
+            vector.map(|it| it / &length)
+        };
+        let (dir, normal, ratio) = (unit(dir), unit(normal), big(ratio));
+        let falls = -dot(&dir, &normal);
+        let squared = &ratio * &ratio * (big(1.0) - &falls * &falls);
+        let ahead = &ratio * falls - (big(1.0) - squared).sqrt();
+        [0, 1, 2].map(|axis| &dir[axis] * &ratio + &normal[axis] * &ahead)
+    }
+
+    #[test]
+    fn the_rounding_of_a_bend_is_within_what_is_said_and_not_far_below() {
+        for ratio in RATIOS {
+            for angle in angles().skip(1) {
+                let (mut most, mut least_said) = (0f64, f64::INFINITY);
+                for step in 0..24 {
+                    let angle = angle + f64::from(step) * 1e-5;
+                    let sideways = f64::from(step) * 0.3;
+                    let normal = direction(DVec3::new(0.3, 0.9, sideways));
+                    let along = direction(normal.cross(DVec3::new(1.0, sideways, 0.2)));
+                    let dir = direction(along * libm::sin(angle) - normal * libm::cos(angle));
+                    let Some(bent) = Refraction::new(dir, normal, ratio, 1.0).bent else {
+                        continue;
+                    };
+                    let exact = bent_precisely(dir, normal, ratio);
+                    let apart =
+                        [0, 1, 2].map(|axis| (big(bent[axis]) - &exact[axis]).to_f64().value());
+                    let apart = DVec3::from(apart).length();
+                    let cosine = dir.dot(normal).abs().min(1.0);
+                    let [_, said] = Turn::Bent(ratio).behind([0.0; 2], 0.0, cosine);
+                    assert!(apart <= said, "{apart} {said}");
+                    most = most.max(apart);
+                    least_said = least_said.min(said);
+                }
+                let passes = least_said.is_finite();
+                assert!(
+                    !passes || least_said < 60.0 * most,
+                    "{least_said} {most} {ratio} {angle}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_slides_along_a_surface_leaves_beside_its_way() {
+        for (angle, turn) in angles().zip(RATIOS.map(Turn::Bent).into_iter().cycle()) {
+            let (dir, beside) = (falling(angle), 1e-3);
+            let Some(bent) = turned(dir, DVec3::Y, turn) else {
+                continue;
+            };
+            let apart = DVec3::X * (beside / libm::cos(angle));
+            let leaves = (apart - bent * bent.dot(apart)).length();
+            let [said, _] = turn.behind([beside, 0.0], 0.0, libm::cos(angle));
+            assert!(
+                leaves <= said * (1.0 + 1e-12) && said <= leaves.max(beside) * 1.001,
+                "{leaves} {said}"
+            );
+        }
+    }
+}
