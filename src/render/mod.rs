@@ -15,6 +15,7 @@ mod thread_work;
 mod tracer;
 mod watch;
 
+pub use adaptive::rays_at_a_border;
 pub use both::Both;
 pub use certificate::Certificate;
 pub use errors::{Errors, Turn};
