@@ -14,6 +14,7 @@ mod input;
 #[cfg(unix)]
 mod interrupt;
 mod messages;
+mod numbers;
 mod output;
 mod progress;
 mod render;

@@ -65,7 +65,7 @@ impl Limit {
         let value = value.filter(|value| value.is_finite() && *value >= 0.0);
         Ok(Self {
             metric: *metric,
-            value: value.ok_or("expected a number that is not negative after the =")?,
+            value: value.ok_or("expected a number of 0 or more after the =")?,
         })
     }
 
@@ -276,7 +276,7 @@ mod tests {
         for (text, expected) in [
             ("1e-3", "such as rmse=1e-3"),
             ("error=1", "expected one of rmse, max, off, psnr, ssim"),
-            ("max=-1", "not negative"),
+            ("max=-1", "of 0 or more"),
             ("max=one", "a number"),
             ("max=nan", "a number"),
         ] {
