@@ -46,7 +46,7 @@ pub const DIALS: &[Dial] = &[
     Dial {
         word: "max-error",
         // Less takes more rays, and a reference of more samples still.
-        steps: &["0.125", "0.0625", "0.0314"],
+        steps: &["0.08", "0.04", "0.02"],
         best: Some("0"),
         by_reference: true,
         ..Dial::PLAIN

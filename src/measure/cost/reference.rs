@@ -46,10 +46,9 @@ impl Reference {
     pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, Refusal> {
         let most = ladder.0.iter().map(|rung| enough(rung.picture)).max();
         let half = f64::from(most.unwrap_or(FEWEST).max(FEWEST)) / 2.0;
-        // A whole number.
         #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
         #[expect(clippy::cast_sign_loss, reason = "positive")]
-        let side = half.sqrt().round().min(255.0) as u32;
+        let side = half.sqrt().min(255.0) as u32;
         let counts = [side * side, (side + 1) * (side + 1)];
         let best = best_of(scene.picture);
         let mut halves = Vec::new();
@@ -106,16 +105,16 @@ impl Reference {
 }
 
 /// About the fewest samples of a reference.
-const FEWEST: u32 = 192;
+const FEWEST: u32 = 200;
 
 /// How many samples a reference has to have so that it is much better than a rung with these settings:
 /// six times as many, which leaves a quarter of the error at borders.
 ///
-/// Of the rays that `max-error` adds where black borders on white, three times as many are enough: less
-/// contrast has fewer rays on the rung, and less error in the reference. There are no more for them than
-/// `max-error` may add to any pixel.
+/// Of the rays that `max-error` adds where black borders on white, twice as many are enough: where there
+/// is less contrast, the rung has fewer rays, and the reference less error. There are no more for them
+/// than `max-error` may add to any pixel.
 fn enough(rung: Picture) -> u32 {
-    let adaptive = 3 * render::rays_at_a_border(&rung);
+    let adaptive = 2 * render::rays_at_a_border(&rung);
     (6 * rung.samples).max(adaptive.min(Picture::MOST_ADAPTIVE))
 }
 
@@ -154,10 +153,10 @@ mod tests {
             ("25", "0", 150),
             ("65536", "0", 393_216),
             // (0.8 / E) to the power of 4/3 is 16, 81 and 477 there.
-            ("1", "0.1", 48),
+            ("1", "0.1", 32),
             ("9", "0.1", 54),
-            ("1", "0.0296296296296296296", 243),
-            ("1", "2/255", 1431),
+            ("1", "0.0296296296296296296", 162),
+            ("1", "2/255", 954),
             ("1", "1/510", 4096),
             ("1024", "1/510", 6144),
         ] {
