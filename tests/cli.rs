@@ -13,5 +13,7 @@ mod determinism;
 mod exit_codes;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "cli/numbers.rs"]
+mod numbers;
 #[path = "cli/streams.rs"]
 mod streams;

@@ -110,6 +110,22 @@ fn more_samples_are_closer_to_the_reference() {
 }
 
 #[test]
+fn what_max_error_adds_is_compared_with_more() {
+    let doubt_of = |text: &str, variations: &[&str]| {
+        let cost = measured(&mut scene(text), variations, 1);
+        let error = cost.rungs.last().expect("a rung").deviation.rmse;
+        (cost.reference.doubt.expect("two halves").rmse, error)
+    };
+    let in_scene = SCENE.replace("image 32 24", "image 32 24 max-error=0.008");
+    for (doubt, error) in [
+        doubt_of(SCENE, &["max-error=2/255"]),
+        doubt_of(&in_scene, &["numerics=classic"]),
+    ] {
+        assert!(doubt > 0.0 && doubt < error / 2.0, "{doubt} {error}");
+    }
+}
+
+#[test]
 fn the_cheapest_and_the_best_within_a_time_are_named() {
     let cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let cheapest = |text| cost.cheapest(Limit::new(text).expect("a limit")).label;

@@ -7,9 +7,10 @@ use clap::Args;
 use super::dials::Dials;
 use super::input::Failure;
 use super::messages::{Json, Messages, problems_json};
+use super::numbers::whole;
 use super::threads::Threads;
 use super::{Status, input, progress};
-use crate::film::save;
+use crate::film::{check_place, save};
 use crate::language::Refusal;
 use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
 use crate::read::Reading;
@@ -26,7 +27,7 @@ pub(super) struct Options {
     #[command(flatten)]
     dials: Dials,
     /// Try these values of a property of `image`; may be given for several.
-    #[arg(long, value_name = "WORD=A,B,…", value_parser = Variation::new)]
+    #[arg(long, value_name = "WORD=A,B,…", allow_hyphen_values = true, value_parser = Variation::new)]
     vary: Vec<Variation>,
     /// Try all combinations of what is varied, instead of each alone.
     #[arg(long, requires = "vary")]
@@ -36,17 +37,17 @@ pub(super) struct Options {
     reference: PathBuf,
     /// How often to draw each setting at most; times are medians. One is drawn no more when the
     /// median deviation of its times is a fiftieth.
-    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "3", allow_hyphen_values = true, value_parser = whole(1000))]
     runs: u32,
     #[command(flatten)]
     threads: Threads,
-    /// Name the cheapest settings that are this good, such as rmse=1e-3, max=1, off=0.01, psnr=40
-    /// or ssim=0.99; exit code 1 if none are.
-    #[arg(long, value_name = "WHAT=X", value_parser = Limit::new)]
+    /// Name the settings that are this good and take the least processor time, such as rmse=1e-3,
+    /// max=1, off=0.01, psnr=40 or ssim=0.99; exit code 1 if none are.
+    #[arg(long, value_name = "WHAT=X", allow_hyphen_values = true, value_parser = Limit::new)]
     target: Option<Limit>,
-    /// Name the most accurate settings that take no longer, such as 2s or 500ms; exit code 1 if
-    /// none do.
-    #[arg(long, value_name = "TIME", value_parser = seconds)]
+    /// Name the most accurate settings that take no longer on the clock, such as 2s or 500ms; exit
+    /// code 1 if none do.
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = seconds)]
     budget: Option<f64>,
     #[command(flatten)]
     json: Json,
@@ -155,7 +156,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
     cost.map_err(refused)
 }
 
-/// Refuses to write one file twice, or over what the scene is made of, before anything is measured.
+/// Refuses to write one file twice, over what the scene is made of, or where nothing can be written, before anything is measured.
 fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), Failure> {
     let outputs = [&options.csv, &options.plot, &options.report];
     let outputs: Vec<&Path> = outputs
@@ -164,9 +165,6 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
         .map(PathBuf::as_path)
         .collect();
     for (number, output) in outputs.iter().enumerate() {
-        let folder = output
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty());
         let same =
             |other: &&Path| std::path::absolute(other).ok() == std::path::absolute(output).ok();
         let error = if output.as_os_str() == "-" {
@@ -184,13 +182,9 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
                 output.display()
             );
             (Status::Usage, error)
-        } else if output.is_dir() {
-            (Status::Io, format!("{} is a folder", output.display()))
-        } else if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
-            (
-                Status::Io,
-                format!("there is no folder {}", folder.display()),
-            )
+        } else if let Err(error) = check_place(output) {
+            let error = format!("cannot write {}: {error}", output.display());
+            (Status::Io, error)
         } else {
             continue;
         };

@@ -15,19 +15,19 @@ use crate::texture::Filter;
 #[command(next_help_heading = "The picture, instead of what the scene says")]
 pub(super) struct Dials {
     /// Width and height in pixels, such as 800x600.
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
     size: Option<[u32; 2]>,
     /// Rays through each pixel.
-    #[arg(long, value_name = "N", value_parser = number("samples"))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = number("samples"))]
     samples: Option<Setting>,
     /// How several rays are spread over a pixel.
     #[arg(long, value_name = "WORD", value_parser = word("pattern", &Pattern::WORDS))]
     pattern: Option<Setting>,
     /// Add rays to each pixel until its error is probably no larger, such as 2/255 of white.
-    #[arg(long, value_name = "E", value_parser = number("max-error"))]
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number("max-error"))]
     max_error: Option<Setting>,
     /// How much of white a pixel may lack because mirrored and transmitted rays are not followed.
-    #[arg(long, value_name = "X", value_parser = number("cut-off"))]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = number("cut-off"))]
     cut_off: Option<Setting>,
     /// The curve from intensities to code values; PFM files, which hold intensities, have none.
     #[arg(long, value_name = "WORD", value_parser = word("transfer", &Transfer::WORDS))]
@@ -94,7 +94,10 @@ fn size(text: &str) -> Result<[u32; 2], String> {
         .and_then(|(width, height)| {
             Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
         });
-    let sides = sides.ok_or("expected width and height, such as 800x600")?;
+    let sides = sides.ok_or_else(|| {
+        let longest = Picture::LONGEST_SIDE;
+        format!("expected width and height from 1 to {longest}, such as 800x600")
+    })?;
     Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
     Ok(sides)
 }

@@ -4,6 +4,7 @@ use clap::Args;
 
 use super::input::Failure;
 use super::messages::{Json, Messages, problems_json};
+use super::numbers::whole;
 use super::threads::Threads;
 use super::{Status, explanation, input, progress, story};
 use crate::language::Refusal;
@@ -20,7 +21,7 @@ pub(super) struct Options {
     #[command(flatten)]
     input: input::OneScene,
     /// Tell how one pixel comes by its colour instead: column and row, from 0, from the top left.
-    #[arg(long, value_name = "X,Y", value_parser = pixel, conflicts_with = "measure")]
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel, conflicts_with = "measure")]
     pixel: Option<[u32; 2]>,
     /// Count the rays by tracing the whole picture.
     #[arg(long)]
@@ -29,7 +30,7 @@ pub(super) struct Options {
     #[arg(long, conflicts_with = "pixel")]
     prices: bool,
     /// How often to draw everything for the prices.
-    #[arg(long, value_name = "N", default_value = "5", requires = "prices", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "5", requires = "prices", allow_hyphen_values = true, value_parser = whole(1000))]
     runs: u32,
     #[command(flatten)]
     json: Json,

@@ -15,6 +15,7 @@ mod input;
 #[cfg(unix)]
 mod interrupt;
 mod messages;
+mod numbers;
 mod output;
 mod progress;
 mod render;

@@ -39,7 +39,7 @@ pub(super) struct Options {
     output: Option<String>,
     /// Only this part of the picture: first column and row, counted from the top left, from 0, and
     /// those behind the last; its pixels are those of the whole.
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = crop)]
+    #[arg(long, value_name = "X0,Y0,X1,Y1", allow_hyphen_values = true, value_parser = crop)]
     crop: Option<Region>,
     #[command(flatten)]
     dials: Dials,

@@ -19,7 +19,7 @@ pub use format::Format;
 pub use print::{Print, PrintRow};
 pub use region::Region;
 pub use rounding::Rounding;
-pub use save::{discard_unfinished, save};
+pub use save::{check_place, discard_unfinished, save};
 pub use transfer::Transfer;
 
 use std::io::{self, Write};

@@ -18,13 +18,42 @@ static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let place = target(path);
     let old = fs::metadata(&place).ok();
-    if old
-        .as_ref()
-        .is_some_and(|old| !old.is_file() && !old.is_dir())
-    {
+    if old.as_ref().is_some_and(is_special) {
         let mut out = fs::OpenOptions::new().write(true).open(&place)?;
         return write(&mut out);
     }
+    let file = beside(&place)?;
+    note_unfinished(Some(file.path().to_owned()));
+    let written = write_to(file.as_file(), write).and_then(|()| Ok(file.persist(&place)?));
+    note_unfinished(None);
+    written?;
+    match old {
+        Some(old) => fs::set_permissions(&place, old.permissions()),
+        None => Ok(()),
+    }
+}
+
+/// Whether a file can be saved here, as far as can be told without writing anything.
+///
+/// # Errors
+/// Whatever keeps a file from being made in the folder.
+pub fn check_place(path: &Path) -> io::Result<()> {
+    let place = target(path);
+    match fs::metadata(&place) {
+        Ok(old) if old.is_dir() => Err(io::Error::other("it is a folder")),
+        Ok(old) if is_special(&old) => Ok(()),
+        _ => beside(&place).map(drop),
+    }
+}
+
+/// Whether something is written where it is: a pipe, a device.
+fn is_special(old: &fs::Metadata) -> bool {
+    !old.is_file() && !old.is_dir()
+}
+
+/// An empty file under a temporary name beside a place. Errors do not tell that name, which nobody asked
+/// for.
+fn beside(place: &Path) -> io::Result<tempfile::NamedTempFile> {
     let parent = place
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
@@ -35,17 +64,7 @@ pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".heliodon-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let file = builder.tempfile_in(folder)?;
-    note_unfinished(Some(file.path().to_owned()));
-    let written = write_to(file, write).and_then(|file| Ok(file.persist(&place)?));
-    note_unfinished(None);
-    written?;
-    match old {
-        Some(old) => fs::set_permissions(&place, old.permissions()),
-        None => Ok(()),
-    }
+    builder.make_in(folder, |path| fs::File::create_new(path))
 }
 
 /// Removes what a save that will not be completed has left behind.
@@ -78,10 +97,10 @@ fn target(path: &Path) -> PathBuf {
 }
 
 fn write_to(
-    file: tempfile::NamedTempFile,
+    file: &fs::File,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<tempfile::NamedTempFile> {
+) -> io::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 16, file);
     write(&mut out)?;
-    out.into_inner().map_err(io::IntoInnerError::into_error)
+    out.flush()
 }

@@ -77,6 +77,21 @@ pub(super) fn timed_in_all_threads<T>(work: impl FnOnce() -> T) -> ([f64; 2], T)
     (seconds, done)
 }
 
+/// A time as it is told in a sentence: three digits, and milliseconds below one second.
+pub(super) fn in_words(seconds: f64) -> String {
+    let (number, unit) = if seconds < 0.9995 {
+        (1000.0 * seconds, "ms")
+    } else {
+        (seconds, "s")
+    };
+    match number {
+        tiny if tiny < 0.9995 => format!("{tiny:.3} {unit}"),
+        small if small < 9.995 => format!("{small:.2} {unit}"),
+        middle if middle < 99.95 => format!("{middle:.1} {unit}"),
+        large => format!("{large:.0} {unit}"),
+    }
+}
+
 fn median_of(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
@@ -101,6 +116,25 @@ mod tests {
         let single = Timing::of(&[2.0]);
         assert_eq!((single.median, single.deviation), (2.0, None));
         assert!(!single.is_like(single), "nobody knows");
+    }
+
+    #[test]
+    fn a_time_is_told_with_three_digits() {
+        for (seconds, expected) in [
+            (0.000_308_1, "0.308 ms"),
+            (0.003_081, "3.08 ms"),
+            (0.009_996, "10.0 ms"),
+            (0.068_24, "68.2 ms"),
+            (0.099_96, "100 ms"),
+            (0.629_4, "629 ms"),
+            (0.999_6, "1.00 s"),
+            (1.594, "1.59 s"),
+            (12.34, "12.3 s"),
+            (99.96, "100 s"),
+            (1234.0, "1234 s"),
+        ] {
+            assert_eq!(in_words(seconds), expected);
+        }
     }
 
     #[test]

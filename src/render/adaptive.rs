@@ -1,6 +1,6 @@
 //! As many rays through each pixel as its error asks for.
 
-use super::tally::{Colors, Tally};
+use super::tally::{BORDER, Colors, Tally};
 use super::{Both, Probe, Seed, Tracer, watch::Watch};
 use crate::camera::{Pattern, Places};
 use crate::film::Region;
@@ -19,6 +19,21 @@ pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
     picture: &'a Picture,
     outlines: &'a Outlines,
+}
+
+/// About how many rays go through a pixel in which black borders on white, if a picture has these
+/// settings; the most that any edge of a surface takes, as long as its shades are even.
+#[must_use]
+pub fn rays_at_a_border(picture: &Picture) -> u32 {
+    let first = picture.first_rays();
+    if picture.max_error == 0.0 {
+        return picture.samples;
+    }
+    let rays = libm::pow(BORDER / picture.max_error, 4.0 / 3.0);
+    #[expect(clippy::cast_possible_truncation, reason = "limited below")]
+    #[expect(clippy::cast_sign_loss, reason = "positive")]
+    let rays = rays.round() as u32;
+    rays.clamp(first, first.max(Picture::MOST_ADAPTIVE))
 }
 
 impl<'a> Adaptive<'a> {

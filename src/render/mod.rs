@@ -19,6 +19,7 @@ mod tracer;
 mod turn;
 mod watch;
 
+pub use adaptive::rays_at_a_border;
 pub use both::Both;
 pub use certificate::Certificate;
 pub use counts::Counts;

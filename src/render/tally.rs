@@ -6,7 +6,7 @@ use crate::math::Rgb;
 /// How much the error of a border between two colours is of their difference, for one ray that is as
 /// likely to meet either; it falls as the count's power of -3/4. Twice the root of the mean square, as
 /// measured.
-const BORDER: f64 = 0.8;
+pub(super) const BORDER: f64 = 0.8;
 
 /// How many standard errors the error of a mean is: as measured on images, where it meets the target in
 /// more than 99.5 % of pixels.

@@ -1,7 +1,7 @@
 //! One setting of the picture, from outside of the scene file.
 
 use super::Picture;
-use crate::language::{Attribute, Takes, Value, did_you_mean};
+use crate::language::{Attribute, Range, Takes, Value, did_you_mean};
 
 /// A property of the `image` node and a value that it may have: what the command line says instead
 /// of the scene, or one step of a dial.
@@ -34,7 +34,13 @@ impl Setting {
             Takes::Word(words) => words.contains(&text).then(|| Value::from(text)),
             _ => None,
         };
-        let value = value.ok_or_else(|| format!("expected {}", attribute.takes.words()))?;
+        let value = value.ok_or_else(|| {
+            let fraction = match attribute.takes {
+                Takes::Number(Range::Between(..)) => ", or a fraction such as 2/255",
+                _ => "",
+            };
+            format!("expected {}{fraction}", attribute.takes.words())
+        })?;
         Ok(Self { attribute, value })
     }
 
@@ -71,13 +77,15 @@ mod tests {
         assert_eq!(setting("numerics", "classic"), Ok(Value::from("classic")));
         let fraction = setting("max-error", "2/255");
         assert_eq!(fraction, Ok(Value::Number(2.0 / 255.0)));
+        let share = "expected a number from 0 to 1, or a fraction such as 2/255";
         for (word, text, expected) in [
-            ("max-error", "2/0", "expected a number from 0 to 1"),
-            ("max-error", "2/255/1", "expected a number from 0 to 1"),
+            ("max-error", "2/0", share),
+            ("max-error", "-2/255", share),
+            ("max-error", "2/255/1", share),
             ("samples", "0", "expected a whole number from 1 to 65536"),
             ("samples", "2.5", "expected a whole number from 1 to 65536"),
             ("samples", "many", "expected a whole number from 1 to 65536"),
-            ("cut-off", "nan", "expected a number from 0 to 1"),
+            ("cut-off", "nan", share),
             ("quantize", "up", "expected \"round\" or \"truncate\""),
         ] {
             assert_eq!(setting(word, text), Err(expected.to_owned()));

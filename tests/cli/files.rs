@@ -350,3 +350,19 @@ fn an_interrupt_while_a_picture_is_written_leaves_no_file() {
         .collect();
     assert!(left.is_empty(), "left behind: {left:?}");
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_that_cannot_be_made_is_called_as_it_was_asked_for() {
+    let shell = Shell::with_scene();
+    for arguments in [
+        ["render", "scene.kdl", "-o", "/proc/it.png"].as_slice(),
+        &["convert", "scene.kdl", "-o", "/proc/it.png"],
+        &["cost", "scene.kdl", "--csv", "/proc/it.png"],
+        &["cost", "scene.kdl", "--plot", "/proc/it.png"],
+        &["cost", "scene.kdl", "--report", "/proc/it.png"],
+    ] {
+        let run = shell.run(arguments).ends_with(4);
+        run.says("error: cannot write /proc/it.png: No such file or directory (os error 2)\n");
+    }
+}

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Cost, Measured};
+use crate::measure::clock::in_words;
 
 /// What a limit is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,7 +65,7 @@ impl Limit {
         let value = value.filter(|value| value.is_finite() && *value >= 0.0);
         Ok(Self {
             metric: *metric,
-            value: value.ok_or("expected a number that is not negative after the =")?,
+            value: value.ok_or("expected a number of 0 or more after the =")?,
         })
     }
 
@@ -94,13 +95,13 @@ impl Limit {
 }
 
 impl Cost {
-    /// The cheapest rung that is good enough.
+    /// The rung that is good enough and takes the least processor time.
     #[must_use]
     pub fn cheapest(&self, limit: Limit) -> Best {
         let words = limit.words();
         match cheapest(&self.rungs, limit) {
             Some(rung) => Best {
-                why: format!("the cheapest with {words} takes {} s", seconds(rung)),
+                why: cheapest_words(rung, &words),
                 label: Some(rung.label.clone()),
             },
             None => Best {
@@ -110,20 +111,22 @@ impl Cost {
         }
     }
 
-    /// The most accurate rung that takes no longer than so many seconds.
+    /// The most accurate rung that is drawn while no more than so many seconds go by.
     #[must_use]
     pub fn within(&self, budget: f64) -> Best {
-        match within(&self.rungs, budget) {
+        let doubt = self.reference.doubt.map_or(0.0, |doubt| doubt.rmse);
+        match within(&self.rungs, budget, doubt) {
             Some(rung) => Best {
                 label: Some(rung.label.clone()),
                 why: format!(
-                    "the most accurate within {budget} s takes {:.3} s and has an RMSE of {:.5}",
-                    rung.wall.median, rung.deviation.rmse
+                    "the most accurate within {budget} s on the clock takes {} and has an RMSE of {:.5}",
+                    in_words(rung.wall.median),
+                    rung.deviation.rmse
                 ),
             },
             None => Best {
                 label: None,
-                why: format!("no rung takes {budget} s or less"),
+                why: format!("no rung takes {budget} s or less on the clock"),
             },
         }
     }
@@ -131,7 +134,7 @@ impl Cost {
 
 /// The cheapest rung whose root mean square error is one code value; if there is none, the most
 /// accurate.
-pub(super) fn recommended(rungs: &[Measured]) -> Best {
+pub(super) fn recommended(rungs: &[Measured], doubt: f64) -> Best {
     let limit = Limit {
         metric: Metric::Rmse,
         value: 1.0 / 255.0,
@@ -139,18 +142,19 @@ pub(super) fn recommended(rungs: &[Measured]) -> Best {
     if let Some(rung) = cheapest(rungs, limit) {
         return Best {
             label: Some(rung.label.clone()),
-            why: format!(
-                "the cheapest with an RMSE of at most one code value takes {} s",
-                seconds(rung)
-            ),
+            why: cheapest_words(rung, "an RMSE of at most one code value"),
         };
     }
-    let rungs = rungs.iter().filter(|rung| rung.is_on_front());
-    let best = rungs.min_by(|a, b| a.deviation.rmse.total_cmp(&b.deviation.rmse));
+    let rungs = rungs.iter().map(|rung| (rung, rung.deviation.rmse));
     Best {
-        label: best.map(|rung| rung.label.clone()),
+        label: most_accurate(rungs, doubt).map(|rung| rung.label.clone()),
         why: "no rung has an RMSE of at most one code value; this is the most accurate".to_owned(),
     }
+}
+
+fn cheapest_words(rung: &Measured, limit: &str) -> String {
+    let time = in_words(rung.cpu.median);
+    format!("the cheapest with {limit} takes {time} of processor time")
 }
 
 fn cheapest(rungs: &[Measured], limit: Limit) -> Option<&Measured> {
@@ -158,16 +162,21 @@ fn cheapest(rungs: &[Measured], limit: Limit) -> Option<&Measured> {
     good.min_by(|one, other| one.cpu.median.total_cmp(&other.cpu.median))
 }
 
-fn within(rungs: &[Measured], budget: f64) -> Option<&Measured> {
+fn within(rungs: &[Measured], budget: f64, doubt: f64) -> Option<&Measured> {
     let fast = rungs.iter().filter(|rung| rung.wall.median <= budget);
-    fast.min_by(|one, other| {
-        let by_error = one.deviation.rmse.total_cmp(&other.deviation.rmse);
-        by_error.then(one.wall.median.total_cmp(&other.wall.median))
-    })
+    most_accurate(fast.map(|rung| (rung, rung.deviation.rmse)), doubt)
 }
 
-fn seconds(rung: &Measured) -> String {
-    format!("{:.3}", rung.cpu.median)
+/// Of rungs with these errors, the cheapest of those that nobody can tell from the most accurate.
+pub(super) fn most_accurate<'a>(
+    rungs: impl Iterator<Item = (&'a Measured, f64)> + Clone,
+    doubt: f64,
+) -> Option<&'a Measured> {
+    let errors = rungs.clone().map(|(_, error)| error);
+    let least = errors.min_by(f64::total_cmp)?;
+    let best = rungs.filter(|(_, error)| *error <= least + doubt);
+    best.map(|(rung, _)| rung)
+        .min_by(|one, other| one.cpu.median.total_cmp(&other.cpu.median))
 }
 
 #[cfg(test)]
@@ -225,8 +234,23 @@ mod tests {
             (4.0, Some("perfect")),
         ] {
             let rungs = rungs();
-            let best = within(&rungs, budget);
+            let best = within(&rungs, budget, 0.0);
             assert_eq!(best.map(|rung| rung.label.as_str()), expected, "{budget}");
+        }
+    }
+
+    #[test]
+    fn of_errors_that_nobody_can_tell_apart_the_cheapest_is_named() {
+        let rungs = [
+            Measured::example("slow", 4.0, 0.0100),
+            Measured::example("fast", 1.0, 0.0104),
+            Measured::example("faster", 0.5, 0.0108),
+        ];
+        for (doubt, expected) in [(0.0, "slow"), (0.0005, "fast"), (0.001, "faster")] {
+            let best = within(&rungs, 9.0, doubt).map(|rung| rung.label.as_str());
+            assert_eq!(best, Some(expected), "{doubt}");
+            let best = recommended(&rungs, doubt).label;
+            assert_eq!(best.as_deref(), Some(expected), "{doubt}");
         }
     }
 
@@ -235,9 +259,12 @@ mod tests {
         let [slow, fast, perfect, middle] = rungs();
         let code = Measured::example("one code value", 1.5, 1.0 / 255.0);
         let above = Measured::example("above", 1.2, 1.1 / 255.0);
-        let best = recommended(&[slow, fast.clone(), perfect, middle, code, above.clone()]);
+        let best = recommended(
+            &[slow, fast.clone(), perfect, middle, code, above.clone()],
+            0.0,
+        );
         assert_eq!(best.label.as_deref(), Some("one code value"));
-        let best = recommended(&[fast, above]);
+        let best = recommended(&[fast, above], 0.0);
         assert_eq!(best.label.as_deref(), Some("above"));
         assert!(best.why.starts_with("no rung has"), "{}", best.why);
     }
@@ -249,7 +276,7 @@ mod tests {
         for (text, expected) in [
             ("1e-3", "such as rmse=1e-3"),
             ("error=1", "expected one of rmse, max, off, psnr, ssim"),
-            ("max=-1", "not negative"),
+            ("max=-1", "of 0 or more"),
             ("max=one", "a number"),
             ("max=nan", "a number"),
         ] {

@@ -2,14 +2,15 @@
 
 use serde::Serialize;
 
-use super::{DIALS, Measured};
+use super::choice::most_accurate;
+use super::{DIALS, Dial, Measured};
 
 /// What a dial buys for time, by its own error.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
     /// The dial.
     pub dial: &'static str,
-    /// The rung whose own error is least, the fastest of those.
+    /// The rung whose own error is least, the cheapest of those that nobody can tell apart.
     pub most_accurate: String,
     /// How time and error go together.
     pub trade: Trade,
@@ -37,24 +38,23 @@ pub enum Trade {
 /// Steps whose times are this close cost the same.
 const ALIKE: f64 = 1.1;
 
-/// The laws of all dials that were turned.
-pub(super) fn all(rungs: &[Measured]) -> Vec<Law> {
+/// The laws of all dials that were turned, if the reference is so far off itself.
+pub(super) fn all(rungs: &[Measured], doubt: f64) -> Vec<Law> {
     let turned = DIALS.iter().filter(|dial| {
         let mut turned = rungs.iter().filter(|rung| rung.dial.is_some());
         turned.any(|rung| rung.own(dial.word).is_some())
     });
-    turned.filter_map(|dial| law(dial.word, rungs)).collect()
+    turned.filter_map(|dial| law(dial, rungs, doubt)).collect()
 }
 
-fn law(dial: &'static str, rungs: &[Measured]) -> Option<Law> {
+fn law(dial: &Dial, rungs: &[Measured], doubt: f64) -> Option<Law> {
     let steps = rungs
         .iter()
-        .filter_map(|rung| Some((rung, rung.own(dial)?)));
+        .filter_map(|rung| Some((rung, rung.own(dial.word)?)));
     let steps: Vec<_> = steps.collect();
-    let (best, _) = steps.iter().min_by(|(a, one), (b, other)| {
-        let by_error = one.rmse.total_cmp(&other.rmse);
-        by_error.then(a.cpu.median.total_cmp(&b.cpu.median))
-    })?;
+    // What a picture is compared with to tell a dial's own error is not in doubt, but for the reference.
+    let doubt = if dial.by_reference { doubt } else { 0.0 };
+    let best = most_accurate(steps.iter().map(|(rung, own)| (*rung, own.rmse)), doubt)?;
     let points = steps.iter().filter_map(|(rung, own)| {
         let point = [rung.cpu.median, own.value?, own.rmse];
         point.iter().all(|it| *it > 0.0).then_some(point)
@@ -62,7 +62,7 @@ fn law(dial: &'static str, rungs: &[Measured]) -> Option<Law> {
     let points: Vec<_> = points.collect();
     let words = steps.iter().any(|(_, own)| own.value.is_none());
     Some(Law {
-        dial,
+        dial: dial.word,
         most_accurate: best.label.clone(),
         trade: if words { Trade::Words } else { trade(&points) },
     })
@@ -148,6 +148,10 @@ mod tests {
         })
     }
 
+    fn samples() -> &'static Dial {
+        Dial::of("samples").expect("a dial")
+    }
+
     #[test]
     fn a_law_is_that_of_the_own_errors_above_zero() {
         let steps = steps([
@@ -156,7 +160,7 @@ mod tests {
             (Some(3.0), 9.0, 0.0),
             (Some(4.0), 8.0, 0.0),
         ]);
-        let law = law("samples", &steps).expect("a law");
+        let law = law(samples(), &steps, 0.0).expect("a law");
         assert_eq!(law.most_accurate, "Some(4.0) 8");
         let Trade::Power {
             of_time, of_value, ..
@@ -165,13 +169,14 @@ mod tests {
             panic!("no power");
         };
         assert!((of_time + 1.0).abs() < 1e-9 && (of_value + 2.0).abs() < 1e-9);
-        assert_eq!(super::law("pattern", &steps), None, "it was not turned");
+        let pattern = Dial::of("pattern").expect("a dial");
+        assert_eq!(super::law(pattern, &steps, 0.0), None, "it was not turned");
     }
 
     #[test]
     fn words_follow_no_law() {
         let steps = steps([(Some(1.0), 1.0, 0.4), (None, 4.0, 0.1)]);
-        let law = law("samples", &steps).expect("a law");
+        let law = law(samples(), &steps, 0.0).expect("a law");
         assert_eq!(law.trade, Trade::Words);
     }
 }

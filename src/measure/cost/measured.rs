@@ -39,8 +39,8 @@ pub struct Measured {
     pub own: Vec<Own>,
     /// The inverse of the mean square error times the processor time; `None` if there is no error.
     pub efficiency: Option<f64>,
-    /// A rung that is at least as accurate and as fast, and better in one of that; none if this one
-    /// is on the Pareto front.
+    /// A rung that is at least as accurate and as fast, as far as anybody can tell, and better in one of
+    /// that; none if this one is on the Pareto front.
     pub dominated_by: Option<String>,
     /// Where the dial errs.
     #[serde(skip)]

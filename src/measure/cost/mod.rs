@@ -106,14 +106,15 @@ pub fn cost(
         }
     }
     let mut rungs: Vec<_> = subjects.into_iter().map(Subject::measured).collect();
-    front::mark(&mut rungs);
+    let doubt = truth.reference.doubt.map_or(0.0, |doubt| doubt.rmse);
+    front::mark(&mut rungs, doubt);
     Ok(Cost {
         size: [base.width, base.height],
         runs,
         threads: rayon::current_num_threads(),
-        laws: law::all(&rungs),
+        laws: law::all(&rungs, doubt),
         blames: blame::all(&rungs, scene),
-        recommended: choice::recommended(&rungs),
+        recommended: choice::recommended(&rungs, doubt),
         reference: truth.reference,
         rungs,
     })

@@ -8,6 +8,7 @@ use super::plot::color;
 use super::table::{median, percent};
 use super::{Blame, Cost, Measured, pictures};
 use crate::language::Refusal;
+use crate::measure::clock::in_words;
 use crate::measure::plot::{STYLE, escaped};
 
 const TEMPLATE: &str = include_str!("page.html");
@@ -61,7 +62,7 @@ impl Cost {
             let errors = pictures.map(|pictures| number_of(&pictures.errors));
             rungs.push(json!({
                 "label": rung.label,
-                "cpu": median(rung.cpu),
+                "cpu": in_words(rung.cpu.median),
                 "rmse": format!("{:.6}", rung.deviation.rmse),
                 "max": format!("{:.2}", rung.deviation.change.largest),
                 "off": percent(rung.deviation.change.pixels),

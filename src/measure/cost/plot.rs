@@ -1,7 +1,8 @@
 //! Error against time as a drawing.
 
-use super::table::{median, percent};
+use super::table::percent;
 use super::{Cost, DIALS, Measured};
+use crate::measure::clock::in_words;
 use crate::measure::plot::{Axis, Frame, HUES, Labels, STYLE, Svg, number, seconds};
 
 /// The axes of time and of error of all rungs.
@@ -168,7 +169,7 @@ fn story(rung: &Measured) -> String {
     format!(
         "{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\n{worth}",
         rung.label,
-        median(rung.cpu),
+        in_words(rung.cpu.median),
         deviation.rmse,
         deviation.change.largest,
         percent(deviation.change.pixels),

@@ -9,6 +9,7 @@ use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::measure::deviation::rmse;
 use crate::measure::{Change, Deviation};
+use crate::render;
 use crate::scene::{Picture, Scene};
 use serde::Serialize;
 
@@ -36,19 +37,18 @@ pub struct Doubt {
 impl Reference {
     /// The best picture of a scene that there is, good enough for the rungs of a ladder.
     ///
-    /// Every dial is at its best, and there are six times as many samples as on any rung. They are
-    /// two pictures of *k²* and of *(k + 1)²* stratified samples, whose cells and so whose places
+    /// Every dial is at its best, and there are about as many samples as [`enough`] for each rung. They
+    /// are two pictures of *k²* and of *(k + 1)²* stratified samples, whose cells and so whose places
     /// have nothing in common; half of what these differ by is how far their mean may be off.
     ///
     /// # Errors
     /// Refuses what cannot be rendered.
     pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, Refusal> {
-        let most = ladder.0.iter().map(|rung| rung.picture.samples).max();
-        let half = f64::from(most.unwrap_or(1).max(32)) * 3.0;
-        // A whole number.
+        let most = ladder.0.iter().map(|rung| enough(rung.picture)).max();
+        let half = f64::from(most.unwrap_or(FEWEST).max(FEWEST)) / 2.0;
         #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
         #[expect(clippy::cast_sign_loss, reason = "positive")]
-        let side = half.sqrt().round().min(255.0) as u32;
+        let side = half.sqrt().min(255.0) as u32;
         let counts = [side * side, (side + 1) * (side + 1)];
         let best = best_of(scene.picture);
         let mut halves = Vec::new();
@@ -104,6 +104,20 @@ impl Reference {
     }
 }
 
+/// About the fewest samples of a reference.
+const FEWEST: u32 = 200;
+
+/// How many samples a reference has to have so that it is much better than a rung with these settings:
+/// six times as many, which leaves a quarter of the error at borders.
+///
+/// Of the rays that `max-error` adds where black borders on white, twice as many are enough: where there
+/// is less contrast, the rung has fewer rays, and the reference less error. There are no more for them
+/// than `max-error` may add to any pixel.
+fn enough(rung: Picture) -> u32 {
+    let adaptive = 2 * render::rays_at_a_border(&rung);
+    (6 * rung.samples).max(adaptive.min(Picture::MOST_ADAPTIVE))
+}
+
 /// The weighted mean of two pictures.
 fn mixed(one: &Film, other: &Film, weight: f64) -> Film {
     let mut mixed = one.clone();
@@ -122,4 +136,34 @@ pub(super) fn written(film: &Film, picture: Picture) -> Film {
         *pixel = Rgb::new(r, g, b);
     }
     written
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::Node;
+    use crate::scene::Setting;
+
+    #[test]
+    fn a_reference_is_better_than_what_samples_and_max_error_ask_for() {
+        let node = Node::new(&Picture::SCHEMA, None).value([4.0, 3.0]);
+        let base = Picture::from_node(&node).expect("a picture");
+        for (samples, max_error, expected) in [
+            ("1", "0", 6),
+            ("25", "0", 150),
+            ("65536", "0", 393_216),
+            // (0.8 / E) to the power of 4/3 is 16, 81 and 477 there.
+            ("1", "0.1", 32),
+            ("9", "0.1", 54),
+            ("1", "0.0296296296296296296", 162),
+            ("1", "2/255", 954),
+            ("1", "1/510", 4096),
+            ("1024", "1/510", 6144),
+        ] {
+            let settings = [("samples", samples), ("max-error", max_error)];
+            let settings = settings.map(|(word, text)| Setting::new(word, text).expect(text));
+            let rung = settings.iter().fold(base, |rung, it| rung.with(it));
+            assert_eq!(enough(rung), expected, "{samples} {max_error}");
+        }
+    }
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
 use crate::measure::Timing;
+use crate::measure::clock::in_words;
 
 impl fmt::Display for Cost {
     /// The table of rungs, the plot in characters, and both in words.
@@ -66,7 +67,7 @@ impl Cost {
             None => format!("Reference: {about}; nobody knows how far it is off itself."),
             Some(doubt) => format!(
                 "Reference: {about}; off itself by an RMSE of about {:.6}, and by {:.2} code \
-                 values at most.",
+                 values at most. Rungs whose RMSE differ by no more are equally accurate.",
                 doubt.rmse, doubt.largest
             ),
         }
@@ -123,7 +124,7 @@ impl Law {
                         tiny if tiny > 0.0 && tiny < 1e-4 => format!("{tiny:.1e}"),
                         error => format!("{error:.6}"),
                     };
-                    let time = median(rung.cpu);
+                    let time = in_words(rung.cpu.median);
                     Some(format!("{} errs by {error} in {time}", rung.label))
                 });
                 let steps: Vec<_> = steps.collect();
