@@ -96,7 +96,9 @@ fn counts_and_errors_are_the_same_on_any_number_of_threads() {
 fn more_samples_are_closer_to_the_reference() {
     let cost = measured(&mut scene(SCENE), &["samples=4,16,64"], 1);
     let errors: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.rmse).collect();
-    assert!(errors.is_sorted_by(|less, more| less > more), "{errors:?}");
+    assert!(errors.is_sorted_by(|more, less| more > less), "{errors:?}");
+    let seen: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.flip).collect();
+    assert!(seen.is_sorted_by(|more, less| more > less), "{seen:?}");
     let doubt = cost.reference.doubt.expect("two halves");
     assert!(
         doubt.rmse > 0.0 && doubt.rmse < errors[3] / 2.0,
@@ -222,6 +224,8 @@ fn exit_codes_answer() {
     };
     assert_eq!(code(&["--target", "max=255"]), Some(0));
     assert_eq!(code(&["--target", "max=0"]), Some(1));
+    assert_eq!(code(&["--target", "flip=1"]), Some(0));
+    assert_eq!(code(&["--target", "flip=0"]), Some(1));
     assert_eq!(code(&["--budget", "1h"]), Some(2));
     assert_eq!(code(&["--budget", "500s"]), Some(0));
     assert_eq!(code(&["--reference", "none.png"]), Some(4));
@@ -247,7 +251,7 @@ fn what_cannot_be_varied_is_told() {
         (["--vary", "samples"], "such as samples=1,4,16"),
         (
             ["--target", "error=1"],
-            "expected one of rmse, max, off, psnr, ssim",
+            "expected one of rmse, max, off, psnr, ssim, flip",
         ),
     ] {
         let output = run(&folder, &arguments);
@@ -287,7 +291,7 @@ fn json_csv_plot_and_page_have_every_rung() {
     let labels: Vec<_> = rungs.iter().map(|rung| &rung["label"]).collect();
     assert_eq!(labels, ["as it is", "samples=4", "numerics=classic"]);
     for field in [
-        "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim",
+        "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim", "flip",
     ] {
         assert!(!rungs[0][field].is_null(), "{field}: {}", rungs[0]);
     }
@@ -313,6 +317,7 @@ fn json_csv_plot_and_page_have_every_rung() {
         "{csv}"
     );
     assert_eq!(csv.lines().count(), 4);
+    assert!(csv.contains(",psnr,ssim,flip,efficiency,"), "{csv}");
     assert!(csv.contains("\nsamples=4,samples,4,1,"), "{csv}");
 
     let plot = read("it.svg");
@@ -327,6 +332,13 @@ fn json_csv_plot_and_page_have_every_rung() {
         "each picture is there"
     );
     assert_eq!(page.matches("<tr class").count(), 3);
+    assert!(page.contains("<th>FLIP</th>"), "{page}");
+    for rung in rungs {
+        let flip = rung["flip"].as_f64().expect("a number");
+        // As hovering over the plots tells, and in the table.
+        assert!(page.matches(&format!("\nFLIP {flip:.4}\n")).count() >= 2);
+        assert!(page.contains(&format!("<td>{flip:.4}</td>")));
+    }
     let said = String::from_utf8(output.stderr).expect("text");
     let files = ["it.csv", "it.svg", "it.html"];
     let expected = files.map(|file| format!("scene.kdl -> {file}\n"));
@@ -340,6 +352,7 @@ fn a_table_a_plot_and_words_on_the_terminal() {
     let text = String::from_utf8(output.stdout).expect("text");
     for words in [
         "scene.kdl, 32x24, one run on",
+        "  SSIM    FLIP  ",
         "\n  a as it is",
         "\n  b samples=4",
         "RMSE\n",

@@ -40,8 +40,8 @@ pub(super) struct Options {
     runs: u32,
     #[command(flatten)]
     threads: Threads,
-    /// Name the cheapest settings that are this good, such as rmse=1e-3, max=1, off=0.01, psnr=40
-    /// or ssim=0.99; exit code 1 if none are.
+    /// Name the cheapest settings that are this good, such as rmse=1e-3, max=1, off=0.01, psnr=40,
+    /// ssim=0.99 or flip=0.01; exit code 1 if none are.
     #[arg(long, value_name = "WHAT=X", value_parser = Limit::new)]
     target: Option<Limit>,
     /// Name the most accurate settings that take no longer, such as 2s or 500ms; exit code 1 if

@@ -22,8 +22,8 @@ impl Cost {
         let labels = self.rungs.iter().map(|rung| rung.label.chars().count());
         let wide = labels.max().unwrap_or(0).max(8);
         let mut text = format!(
-            "    {:<wide$}{:>18}{:>10}{:>12}{:>8}{:>9}{:>10}{:>7}{:>8}  {}\n",
-            "rung", "cpu", "wall", "rays", "max", "off", "RMSE", "PSNR", "SSIM", "better is"
+            "    {:<wide$}{:>18}{:>10}{:>12}{:>8}{:>9}{:>10}{:>7}{:>8}{:>8}  {}\n",
+            "rung", "cpu", "wall", "rays", "max", "off", "RMSE", "PSNR", "SSIM", "FLIP", "better is"
         );
         for (rung, letter) in self.rungs.iter().zip(chart::letters()) {
             let Measured { deviation, .. } = rung;
@@ -33,7 +33,7 @@ impl Cost {
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "  {letter} {:<wide$}{:>18}{:>10}{:>12}{:>8.2}{:>9}{:>10.6}{psnr:>7}{:>8.4}  {}",
+                "  {letter} {:<wide$}{:>18}{:>10}{:>12}{:>8.2}{:>9}{:>10.6}{psnr:>7}{:>8.4}{:>8.4}  {}",
                 rung.label,
                 rung.cpu.to_string(),
                 median(rung.wall),
@@ -42,6 +42,7 @@ impl Cost {
                 percent(deviation.change.pixels),
                 deviation.rmse,
                 deviation.ssim,
+                deviation.flip,
                 rung.dominated_by.as_deref().unwrap_or("none"),
             );
         }
