@@ -112,6 +112,24 @@ fn more_samples_are_closer_to_the_reference() {
 }
 
 #[test]
+fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
+    let better = [Some("samples=64"), None, Some("nothing in the table")];
+    for (rung, better) in cost.rungs.iter_mut().zip(better) {
+        rung.dominated_by = better.map(str::to_owned);
+    }
+    let rows = cost.rows();
+    let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
+    let text = rows[0].iter().collect::<String>();
+    let place = text.find("better is").expect("a column");
+    for (row, expected) in rows[1..].iter().zip(["c", "none", "nothing in the table"]) {
+        let text: String = row[place - 2..].iter().collect();
+        assert_eq!(text, format!("  {expected}"));
+        assert!(row[place - 3].is_ascii_digit(), "FLIP: {row:?}");
+    }
+}
+
+#[test]
 fn the_cheapest_and_the_best_within_a_time_are_named() {
     let cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let cheapest = |text| cost.cheapest(Limit::new(text).expect("a limit")).label;
@@ -352,7 +370,7 @@ fn a_table_a_plot_and_words_on_the_terminal() {
     let text = String::from_utf8(output.stdout).expect("text");
     for words in [
         "scene.kdl, 32x24, one run on",
-        "  SSIM    FLIP  ",
+        "  SSIM    FLIP  better is\n",
         "\n  a as it is",
         "\n  b samples=4",
         "RMSE\n",

@@ -256,7 +256,10 @@ mod tests {
         assert_eq!((limit.metric, limit.value), (Metric::Max, 1.0));
         for (text, expected) in [
             ("1e-3", "such as rmse=1e-3"),
-            ("error=1", "expected one of rmse, max, off, psnr, ssim, flip"),
+            (
+                "error=1",
+                "expected one of rmse, max, off, psnr, ssim, flip",
+            ),
             ("max=-1", "not negative"),
             ("max=one", "a number"),
             ("max=nan", "a number"),
