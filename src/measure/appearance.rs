@@ -220,14 +220,9 @@ mod tests {
                 _ => [255, 255, 0],
             }
         };
-        let speck = |number: u32| 120 + number % 17;
-        let grain = |x, y| {
-            [
-                speck(7 * x * x + 13 * x * y),
-                128,
-                speck(5 * x * y + 3 * y * y),
-            ]
-        };
+        let speck = |of: u32| 120 + of % 17;
+        let red = |x, y| speck(7 * x * x + 13 * x * y);
+        let grain = |x, y| [red(x, y), 128, speck(5 * x * y + 3 * y * y)];
         let flat = |color: [u32; 3]| move |_, _| color;
         let (rose, green) = (flat([200, 120, 120]), flat([120, 200, 120]));
         for (name, flip, expected) in [

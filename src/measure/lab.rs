@@ -23,7 +23,7 @@ impl Lab {
         Self([lightness, 500.0 * (x - y) * hunt, 200.0 * (y - z) * hunt])
     }
 
-    /// How different two colours are, however much (HyAB; Abasi, Amani Tehran and Fairchild 2020).
+    /// How different two colours are, even very different ones (`HyAB`; Abasi, Amani Tehran and Fairchild 2020).
     pub(super) fn difference(self, other: Self) -> f64 {
         let [lightness, a, b] = [0, 1, 2].map(|axis| self.0[axis] - other.0[axis]);
         lightness.abs() + (a * a + b * b).sqrt()
