@@ -96,7 +96,9 @@ fn counts_and_errors_are_the_same_on_any_number_of_threads() {
 fn more_samples_are_closer_to_the_reference() {
     let cost = measured(&mut scene(SCENE), &["samples=4,16,64"], 1);
     let errors: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.rmse).collect();
-    assert!(errors.is_sorted_by(|less, more| less > more), "{errors:?}");
+    assert!(errors.is_sorted_by(|more, less| more > less), "{errors:?}");
+    let seen: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.flip).collect();
+    assert!(seen.is_sorted_by(|more, less| more > less), "{seen:?}");
     let doubt = cost.reference.doubt.expect("two halves");
     assert!(
         doubt.rmse > 0.0 && doubt.rmse < errors[3] / 2.0,
@@ -122,6 +124,24 @@ fn what_max_error_adds_is_compared_with_more() {
         doubt_of(&in_scene, &["numerics=classic"]),
     ] {
         assert!(doubt > 0.0 && doubt < error / 2.0, "{doubt} {error}");
+    }
+}
+
+#[test]
+fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
+    let better = [Some("samples=64"), None, Some("nothing in the table")];
+    for (rung, better) in cost.rungs.iter_mut().zip(better) {
+        rung.dominated_by = better.map(str::to_owned);
+    }
+    let rows = cost.rows();
+    let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
+    let text = rows[0].iter().collect::<String>();
+    let place = text.find("better is").expect("a column");
+    for (row, expected) in rows[1..].iter().zip(["c", "none", "nothing in the table"]) {
+        let text: String = row[place - 2..].iter().collect();
+        assert_eq!(text, format!("  {expected}"));
+        assert!(row[place - 3].is_ascii_digit(), "FLIP: {row:?}");
     }
 }
 
@@ -238,6 +258,8 @@ fn exit_codes_answer() {
     };
     assert_eq!(code(&["--target", "max=255"]), Some(0));
     assert_eq!(code(&["--target", "max=0"]), Some(1));
+    assert_eq!(code(&["--target", "flip=1"]), Some(0));
+    assert_eq!(code(&["--target", "flip=0"]), Some(1));
     assert_eq!(code(&["--budget", "1h"]), Some(2));
     assert_eq!(code(&["--budget", "500s"]), Some(0));
     assert_eq!(code(&["--reference", "none.png"]), Some(4));
@@ -263,7 +285,7 @@ fn what_cannot_be_varied_is_told() {
         (["--vary", "samples"], "such as samples=1,4,16"),
         (
             ["--target", "error=1"],
-            "expected one of rmse, max, off, psnr, ssim",
+            "expected one of rmse, max, off, psnr, ssim, flip",
         ),
     ] {
         let output = run(&folder, &arguments);
@@ -303,7 +325,7 @@ fn json_csv_plot_and_page_have_every_rung() {
     let labels: Vec<_> = rungs.iter().map(|rung| &rung["label"]).collect();
     assert_eq!(labels, ["as it is", "samples=4", "numerics=classic"]);
     for field in [
-        "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim",
+        "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim", "flip",
     ] {
         assert!(!rungs[0][field].is_null(), "{field}: {}", rungs[0]);
     }
@@ -329,6 +351,7 @@ fn json_csv_plot_and_page_have_every_rung() {
         "{csv}"
     );
     assert_eq!(csv.lines().count(), 4);
+    assert!(csv.contains(",psnr,ssim,flip,efficiency,"), "{csv}");
     assert!(csv.contains("\nsamples=4,samples,4,1,"), "{csv}");
 
     let plot = read("it.svg");
@@ -343,6 +366,13 @@ fn json_csv_plot_and_page_have_every_rung() {
         "each picture is there"
     );
     assert_eq!(page.matches("<tr class").count(), 3);
+    assert!(page.contains("<th>FLIP</th>"), "{page}");
+    for rung in rungs {
+        let flip = rung["flip"].as_f64().expect("a number");
+        // As hovering over the plots tells, and in the table.
+        assert!(page.matches(&format!("\nFLIP {flip:.4}\n")).count() >= 2);
+        assert!(page.contains(&format!("<td>{flip:.4}</td>")));
+    }
     let said = String::from_utf8(output.stderr).expect("text");
     let files = ["it.csv", "it.svg", "it.html"];
     let expected = files.map(|file| format!("scene.kdl -> {file}\n"));
@@ -356,6 +386,7 @@ fn a_table_a_plot_and_words_on_the_terminal() {
     let text = String::from_utf8(output.stdout).expect("text");
     for words in [
         "scene.kdl, 32x24, one run on",
+        "  SSIM    FLIP  better is\n",
         "\n  a as it is",
         "\n  b samples=4",
         "RMSE\n",

@@ -42,7 +42,7 @@ pub(super) struct Options {
     #[command(flatten)]
     threads: Threads,
     /// Name the settings that are this good and take the least processor time, such as rmse=1e-3,
-    /// max=1, off=0.01, psnr=40 or ssim=0.99; exit code 1 if none are.
+    /// max=1, off=0.01, psnr=40, ssim=0.99 or flip=0.01; exit code 1 if none are.
     #[arg(long, value_name = "WHAT=X", allow_hyphen_values = true, value_parser = Limit::new)]
     target: Option<Limit>,
     /// Name the most accurate settings that take no longer on the clock, such as 2s or 500ms; exit

@@ -1,5 +1,6 @@
 //! Answers about scenes and pictures.
 
+mod appearance;
 mod change;
 mod check;
 mod clock;
@@ -7,6 +8,8 @@ mod coincident;
 mod cost;
 mod deviation;
 mod explain;
+mod kernel;
+mod lab;
 mod light_row;
 mod light_tests;
 mod plot;
@@ -16,6 +19,7 @@ mod similarity;
 mod transcript;
 mod without;
 
+pub use appearance::Appearance;
 pub use change::Change;
 pub use check::check;
 pub use clock::Timing;

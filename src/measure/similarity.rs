@@ -1,7 +1,6 @@
 //! How alike two pictures look.
 
-use rayon::prelude::*;
-
+use super::kernel::{Border, Kernel, Plane};
 use crate::film::Film;
 use crate::math::Rgb;
 
@@ -30,20 +29,25 @@ const WINDOW: [f64; 11] = [
 #[must_use]
 pub fn similarity(one: &Film, other: &Film) -> f64 {
     const STABILIZERS: [f64; 2] = [0.01 * 0.01, 0.03 * 0.03];
-    let width = one.width();
+    let window = Kernel::new(&WINDOW, Border::Zero);
+    let sums = |values| {
+        let width = one.width();
+        window.down(&window.across(&Plane { values, width })).values
+    };
     let [x, y] = [one, other].map(lumas);
-    let product =
-        |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a * b).collect() };
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect();
     let squares = [product(&x, &x), product(&y, &y), product(&x, &y)];
-    let [mean_x, mean_y] = [&x, &y].map(|values| blurred(values, width));
-    let [xx, yy, xy] = squares.map(|values| blurred(&values, width));
+    let [xx, yy, xy] = squares.map(sums);
+    let inside = sums(vec![1.0; x.len()]);
+    let [x, y] = [x, y].map(sums);
     let mut sum = 0.0;
-    for at in 0..x.len() {
-        let (mean_x, mean_y) = (mean_x[at], mean_y[at]);
+    for (at, inside) in inside.iter().enumerate() {
+        let mean = |sums: &[f64]| sums[at] / inside;
+        let (mean_x, mean_y) = (mean(&x), mean(&y));
         let [spread_x, spread_y, together] = [
-            xx[at] - mean_x * mean_x,
-            yy[at] - mean_y * mean_y,
-            xy[at] - mean_x * mean_y,
+            mean(&xx) - mean_x * mean_x,
+            mean(&yy) - mean_y * mean_y,
+            mean(&xy) - mean_x * mean_y,
         ];
         let [light, contrast] = STABILIZERS;
         sum += (2.0 * mean_x * mean_y + light) * (2.0 * together + contrast)
@@ -61,39 +65,6 @@ fn lumas(film: &Film) -> Vec<f64> {
         0.299 * r + 0.587 * g + 0.114 * b
     };
     film.pixels().iter().map(luma).collect()
-}
-
-/// The weighted means of the windows around each pixel.
-fn blurred(values: &[f64], width: usize) -> Vec<f64> {
-    let height = values.len() / width.max(1);
-    let rows: Vec<f64> = (0..values.len())
-        .into_par_iter()
-        .map(|at| {
-            let (column, start) = (at % width, at - at % width);
-            mean(column, width, |column| values[start + column])
-        })
-        .collect();
-    (0..values.len())
-        .into_par_iter()
-        .map(|at| {
-            let column = at % width;
-            mean(at / width, height, |row| rows[row * width + column])
-        })
-        .collect()
-}
-
-/// The weighted mean of what is around a place of `length`.
-fn mean(place: usize, length: usize, value: impl Fn(usize) -> f64) -> f64 {
-    const REACH: usize = WINDOW.len() / 2;
-    let from = place.saturating_sub(REACH);
-    let to = (place + REACH + 1).min(length);
-    let (mut sum, mut weights) = (0.0, 0.0);
-    for at in from..to {
-        let weight = WINDOW[at + REACH - place];
-        sum += weight * value(at);
-        weights += weight;
-    }
-    sum / weights
 }
 
 #[cfg(test)]

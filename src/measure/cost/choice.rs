@@ -18,6 +18,8 @@ pub enum Metric {
     Psnr,
     /// The structural similarity; more is better.
     Ssim,
+    /// How different the pictures look, from 0 to 1.
+    Flip,
 }
 
 /// How good a picture has to be.
@@ -39,12 +41,13 @@ pub struct Best {
 }
 
 impl Metric {
-    const ALL: [(&'static str, Self); 5] = [
+    const ALL: [(&'static str, Self); 6] = [
         ("rmse", Self::Rmse),
         ("max", Self::Max),
         ("off", Self::Off),
         ("psnr", Self::Psnr),
         ("ssim", Self::Ssim),
+        ("flip", Self::Flip),
     ];
 }
 
@@ -79,6 +82,7 @@ impl Limit {
             Metric::Off => deviation.change.pixels <= self.value,
             Metric::Psnr => deviation.psnr.is_none_or(|psnr| psnr >= self.value),
             Metric::Ssim => deviation.ssim >= self.value,
+            Metric::Flip => deviation.flip <= self.value,
         }
     }
 
@@ -90,6 +94,7 @@ impl Limit {
             Metric::Off => format!("at most {value} of all pixels off by more than half a code"),
             Metric::Psnr => format!("a PSNR of at least {value} dB"),
             Metric::Ssim => format!("an SSIM of at least {value}"),
+            Metric::Flip => format!("a FLIP of at most {value}"),
         }
     }
 }
@@ -211,6 +216,9 @@ mod tests {
             ("ssim=0.9", "fast"),
             ("ssim=0.91", "middle"),
             ("ssim=1", "perfect"),
+            ("flip=0.1", "fast"),
+            ("flip=0.09", "middle"),
+            ("flip=0", "perfect"),
         ] {
             let rungs = rungs();
             let best = cheapest(&rungs, Limit::new(limit).expect("a limit"));
@@ -275,7 +283,10 @@ mod tests {
         assert_eq!((limit.metric, limit.value), (Metric::Max, 1.0));
         for (text, expected) in [
             ("1e-3", "such as rmse=1e-3"),
-            ("error=1", "expected one of rmse, max, off, psnr, ssim"),
+            (
+                "error=1",
+                "expected one of rmse, max, off, psnr, ssim, flip",
+            ),
             ("max=-1", "of 0 or more"),
             ("max=one", "a number"),
             ("max=nan", "a number"),

@@ -3,7 +3,7 @@
 use super::Cost;
 
 /// The columns. Times are in seconds, `max` in code values, `off` is a share of the pixels.
-pub(super) const COLUMNS: [&str; 20] = [
+pub(super) const COLUMNS: [&str; 21] = [
     "rung",
     "dial",
     "value",
@@ -22,6 +22,7 @@ pub(super) const COLUMNS: [&str; 20] = [
     "own_rmse",
     "psnr",
     "ssim",
+    "flip",
     "efficiency",
     "dominated_by",
 ];
@@ -56,6 +57,7 @@ impl Cost {
                 number(own.map(|own| own.rmse)),
                 number(rung.deviation.psnr),
                 rung.deviation.ssim.to_string(),
+                rung.deviation.flip.to_string(),
                 number(rung.efficiency),
                 rung.dominated_by.clone().unwrap_or_default(),
             ])?;

@@ -108,6 +108,7 @@ impl Measured {
                 rmse,
                 psnr: (rmse > 0.0).then(|| -20.0 * libm::log10(rmse)),
                 ssim: 1.0 - rmse,
+                flip: rmse,
             },
             own: Vec::new(),
             efficiency: None,
@@ -225,6 +226,7 @@ impl Subject {
             rmse: 0.0,
             psnr: None,
             ssim: 1.0,
+            flip: 0.0,
         });
         let square = deviation.rmse * deviation.rmse;
         let mut turned = self.own.iter();

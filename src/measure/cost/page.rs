@@ -116,6 +116,7 @@ fn row((number, rung): (usize, &Measured)) -> String {
         format!("{:.6}", deviation.rmse),
         psnr,
         format!("{:.4}", deviation.ssim),
+        format!("{:.4}", deviation.flip),
         rung.efficiency
             .map_or("–".to_owned(), |it| format!("{it:.0}")),
     ];

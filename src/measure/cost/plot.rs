@@ -167,11 +167,12 @@ fn story(rung: &Measured) -> String {
         Some(better) => format!("{better} is better"),
     };
     format!(
-        "{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\n{worth}",
+        "{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\nFLIP {:.4}\n{worth}",
         rung.label,
         in_words(rung.cpu.median),
         deviation.rmse,
         deviation.change.largest,
         percent(deviation.change.pixels),
+        deviation.flip,
     )
 }

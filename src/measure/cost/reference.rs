@@ -8,7 +8,7 @@ use crate::film::{Film, Transfer};
 use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::measure::deviation::rmse;
-use crate::measure::{Change, Deviation};
+use crate::measure::{Appearance, Change, Deviation};
 use crate::render;
 use crate::scene::{Picture, Scene};
 use serde::Serialize;
@@ -19,6 +19,9 @@ pub struct Reference {
     /// The picture as it is shown.
     #[serde(skip)]
     pub film: Film,
+    /// What an eye sees of it.
+    #[serde(skip)]
+    pub appearance: Appearance,
     /// How it was made.
     pub about: String,
     /// How far it may be off itself; `None` if nobody knows.
@@ -60,8 +63,10 @@ impl Reference {
         let film = mixed(&halves[0], &halves[1], weight / (weight + other_weight));
         let halves = halves.into_iter().map(|half| half.shown(best.transfer));
         let halves: Vec<_> = halves.collect();
+        let film = film.shown(best.transfer);
         Ok(Self {
-            film: film.shown(best.transfer),
+            appearance: Appearance::of(&film),
+            film,
             about: format!(
                 "{} samples in two halves, each dial at its best",
                 counts[0] + counts[1]
@@ -91,6 +96,7 @@ impl Reference {
             ));
         }
         Ok(Self {
+            appearance: Appearance::of(&film),
             film,
             about: path.display().to_string(),
             doubt: None,
@@ -100,7 +106,7 @@ impl Reference {
     /// How far a picture is from it.
     #[must_use]
     pub fn deviation(&self, picture: &Film) -> Deviation {
-        Deviation::of(picture, &self.film)
+        Deviation::of(picture, &self.film, &self.appearance)
     }
 }
 

@@ -7,6 +7,21 @@ use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
 use crate::measure::Timing;
 use crate::measure::clock::in_words;
 
+/// The names of the columns of the table.
+const COLUMNS: [&str; 11] = [
+    "rung",
+    "cpu",
+    "wall",
+    "rays",
+    "max",
+    "off",
+    "RMSE",
+    "PSNR",
+    "SSIM",
+    "FLIP",
+    "better is",
+];
+
 impl fmt::Display for Cost {
     /// The table of rungs, the plot in characters, and both in words.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -16,37 +31,58 @@ impl fmt::Display for Cost {
 }
 
 impl Cost {
-    /// A table with a row for each rung. In its last column stands which rung is better, or that
-    /// the rung is on the Pareto front.
+    /// A table with a row for each rung. In its last column stands the letter of the rung that is
+    /// better, or that the rung is on the Pareto front.
     #[must_use]
     pub fn rows(&self) -> String {
-        let labels = self.rungs.iter().map(|rung| rung.label.chars().count());
-        let wide = labels.max().unwrap_or(0).max(8);
-        let mut text = format!(
-            "    {:<wide$}{:>18}{:>10}{:>12}{:>8}{:>9}{:>10}{:>7}{:>8}  {}\n",
-            "rung", "cpu", "wall", "rays", "max", "off", "RMSE", "PSNR", "SSIM", "better is"
-        );
-        for (rung, letter) in self.rungs.iter().zip(chart::letters()) {
-            let Measured { deviation, .. } = rung;
-            let psnr = deviation
-                .psnr
-                .map_or("-".to_owned(), |psnr| format!("{psnr:.1}"));
+        let mut rows = vec![COLUMNS.map(str::to_owned)];
+        rows.extend(self.rungs.iter().map(|rung| self.cells(rung)));
+        let widest = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+        let widths: [_; COLUMNS.len()] = std::array::from_fn(|column| widest(column).unwrap_or(0));
+        let mut text = String::new();
+        for (letter, [label, numbers @ .., better]) in
+            std::iter::once(' ').chain(chart::letters()).zip(&rows)
+        {
             // Writing to a String cannot fail.
-            let _ = writeln!(
-                text,
-                "  {letter} {:<wide$}{:>18}{:>10}{:>12}{:>8.2}{:>9}{:>10.6}{psnr:>7}{:>8.4}  {}",
-                rung.label,
-                rung.cpu.to_string(),
-                median(rung.wall),
-                rung.rays,
-                deviation.change.largest,
-                percent(deviation.change.pixels),
-                deviation.rmse,
-                deviation.ssim,
-                rung.dominated_by.as_deref().unwrap_or("none"),
-            );
+            let _ = write!(text, "  {letter} {label:<wide$}", wide = widths[0]);
+            for (number, wide) in numbers.iter().zip(&widths[1..]) {
+                let _ = write!(text, "  {number:>wide$}");
+            }
+            let _ = writeln!(text, "  {better}");
         }
         text
+    }
+
+    /// A rung's row.
+    fn cells(&self, rung: &Measured) -> [String; COLUMNS.len()] {
+        let deviation = &rung.deviation;
+        let psnr = deviation
+            .psnr
+            .map_or("-".to_owned(), |psnr| format!("{psnr:.1}"));
+        [
+            rung.label.clone(),
+            rung.cpu.to_string(),
+            median(rung.wall),
+            rung.rays.to_string(),
+            format!("{:.2}", deviation.change.largest),
+            percent(deviation.change.pixels),
+            format!("{:.6}", deviation.rmse),
+            psnr,
+            format!("{:.4}", deviation.ssim),
+            format!("{:.4}", deviation.flip),
+            self.better(rung),
+        ]
+    }
+
+    /// The letter of the rung that is better than this one, or its label if there are not enough letters.
+    fn better(&self, rung: &Measured) -> String {
+        let Some(better) = &rung.dominated_by else {
+            return "none".to_owned();
+        };
+        let letters = self.rungs.iter().zip(chart::letters());
+        let found = letters.filter(|(rung, letter)| rung.label == *better && *letter != '+');
+        let mut found = found.map(|(_, letter)| letter.to_string());
+        found.next().unwrap_or_else(|| better.clone())
     }
 
     /// What the table comes to, a sentence a line.
