@@ -1,6 +1,11 @@
 //! What stands in the way of a lamp.
 
-use super::passage::Passage;
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+
+use super::caster_tree::{CasterTree, passed};
 use super::receivers::Body;
 use super::shields::{Shield, Stand};
 use super::{Entry, MOST_LISTS, SurfaceList};
@@ -20,6 +25,10 @@ pub struct LampView<'a> {
     /// For every surface which of the lists counts for it; `None` if nothing of the lamp is before
     /// its plane, or nothing of it before the lamp's.
     list_of: Vec<Option<usize>>,
+    /// What finds the casters if all surfaces share one list.
+    tree: Option<CasterTree>,
+    /// The middle of the lamp, and how far it reaches from there.
+    ball: (DVec3, f64),
     /// Whether places are asked where the answer is known.
     asks_all: bool,
 }
@@ -51,8 +60,15 @@ pub enum Between<'v, 'a> {
 pub struct Casters<'v, 'a> {
     lamp: &'v Body,
     from: &'v Entry<'a>,
-    all: Vec<&'v Caster<'a>>,
+    /// Those that are asked one by one, in file order.
+    few: Vec<&'v Caster<'a>>,
+    /// All casters of a lamp and what finds them, if there are more.
+    many: Option<(&'v [Caster<'a>], &'v CasterTree)>,
 }
+
+/// The most surfaces that are asked one by one for each ray to a lamp if there is a tree. Smaller, and few
+/// are searched for as if they were many; larger, and each ray asks more than it meets.
+const FEW: usize = 8;
 
 impl<'a> LampView<'a> {
     /// What the lamps of a scene have before them; `scene` are the surfaces as they were read, which
@@ -89,7 +105,7 @@ impl<'a> LampView<'a> {
         let others = surfaces.entries().iter().filter(|entry| {
             entry.index != own.index && !entry.lies_on(own.support) && entry.common.shadows.cast
         });
-        let mut panes = Vec::new();
+        let mut panes = HashSet::new();
         let casters = others.map(|entry| {
             let is_opaque = entry.common.material.transparency == 0.0;
             // Behind a pane on the same sheet a wall does not count.
@@ -106,12 +122,19 @@ impl<'a> LampView<'a> {
             }
         });
         let casters: Vec<_> = casters.collect();
+        let shares_list = bodies.len() > MOST_LISTS;
+        let tree = surfaces.tree.as_ref().filter(|_| shares_list && !asks_all);
         let mut view = Self {
             lamp,
             body,
             lists: vec![(0..casters.len()).collect()],
             list_of: vec![None; bodies.len()],
+            tree: tree.map(|tree| {
+                let entries = casters.iter().map(|caster| &caster.entry);
+                CasterTree::new(tree, bodies.len(), entries)
+            }),
             casters,
+            ball: (lamp.center().world(), lamp.reach()),
             asks_all,
         };
         for (index, receiver) in bodies.iter().enumerate() {
@@ -119,7 +142,7 @@ impl<'a> LampView<'a> {
                 continue;
             }
             view.list_of[index] = Some(0);
-            if !asks_all && bodies.len() <= MOST_LISTS {
+            if !asks_all && !shares_list {
                 view.list_of[index] = Some(view.lists.len());
                 let can_hide = |caster: &usize| {
                     let Caster { entry, shield, .. } = &view.casters[*caster];
@@ -187,28 +210,51 @@ impl<'a> LampView<'a> {
     ) -> Between<'v, 'a> {
         let list = self.list_of[entry.index].map_or(&[][..], |list| &self.lists[list]);
         let left = ray.leaves();
-        let casters = list.iter().map(|index| &self.casters[*index]);
-        let mut doubtful = Vec::new();
-        for caster in casters.filter(|caster| !caster.entry.lies_on(left)) {
+        let (mut few, mut are_many, mut is_hidden) = (Vec::new(), false, false);
+        let mut ask = |caster: &'v Caster<'a>| {
+            if caster.entry.lies_on(left) {
+                return ControlFlow::Continue(());
+            }
             if self.asks_all {
-                doubtful.push(caster);
-                continue;
+                few.push(caster);
+                return ControlFlow::Continue(());
             }
             match caster.shield.stands(ray) {
                 Stand::Beside => {}
-                Stand::Before if caster.is_opaque && is_open => return Between::Wall,
-                Stand::Before | Stand::Doubtful => doubtful.push(caster),
+                Stand::Before if caster.is_opaque && is_open => {
+                    is_hidden = true;
+                    return ControlFlow::Break(());
+                }
+                Stand::Before | Stand::Doubtful => few.push(caster),
             }
+            are_many = self.tree.is_some() && few.len() > FEW;
+            if are_many {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        // Whether all were asked does not matter.
+        let _ = match &self.tree {
+            Some(tree) if !list.is_empty() => {
+                tree.ask_toward(ray, self.ball, |place| ask(&self.casters[place]))
+            }
+            _ => list.iter().try_for_each(|place| ask(&self.casters[*place])),
+        };
+        if is_hidden {
+            return Between::Wall;
         }
-        if doubtful.is_empty() && !self.asks_all {
-            Between::Nothing
-        } else {
-            Between::Some(Casters {
-                lamp: &self.body,
-                from: entry,
-                all: doubtful,
-            })
+        if few.is_empty() && !self.asks_all {
+            return Between::Nothing;
         }
+        few.sort_unstable_by_key(|caster| caster.entry.index);
+        let tree = self.tree.as_ref().filter(|_| are_many);
+        Between::Some(Casters {
+            lamp: &self.body,
+            from: entry,
+            few,
+            many: tree.map(|tree| (&self.casters[..], tree)),
+        })
     }
 }
 
@@ -217,17 +263,22 @@ impl Casters<'_, '_> {
     /// [`Blockers::transmittance`](super::Blockers::transmittance).
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
-        let mut passage = Passage::new(segment);
-        for Caster { entry, side, .. } in &self.all {
+        let mut hides = |Caster { entry, side, .. }: &Caster<'_>| {
             *tests += 1;
             let side = side.unwrap_or_else(|| entry.surface.side(&segment.end));
             let can_hide = || Body::of(entry).can_hide_lamp(self.lamp, &Body::of(self.from));
-            let is_in_the_way =
-                !passage.has_crossed(entry.support) && entry.hides(segment, side, can_hide);
-            if is_in_the_way && passage.cross(entry).is_break() {
-                break;
-            }
-        }
-        passage.share
+            entry.hides(segment, side, can_hide)
+        };
+        let Some((casters, tree)) = self.many else {
+            let all = self.few.iter().filter(|caster| hides(caster));
+            return passed(all.map(|caster| &caster.entry), segment);
+        };
+        let left = segment.ray.leaves();
+        // A place on a surface's plane may be met beyond the lamp, but for rounding.
+        tree.transmittance(segment, f64::MAX, |place| {
+            let caster = &casters[place];
+            let is_met = !caster.entry.lies_on(left) && hides(caster);
+            is_met.then_some((&caster.entry, caster.is_opaque))
+        })
     }
 }

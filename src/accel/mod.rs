@@ -1,8 +1,10 @@
 //! Which surface is nearest, and which stand in the way of a light.
 
 mod accelerator;
+mod caster_tree;
 mod clearance;
 mod divide;
+mod funnel;
 mod lamps;
 mod overlaps;
 mod passage;

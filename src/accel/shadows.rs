@@ -1,16 +1,13 @@
 //! What stands in the way of a light.
 
 use std::collections::HashSet;
-use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::caster_tree::{CasterTree, passed};
 use super::clearance::Clearance;
-use super::passage::Passage;
 use super::receivers::Body;
 use super::shade::Shade;
-use super::tree::Tree;
 use super::{Entry, MOST_LISTS, SurfaceList};
 use crate::math::{Point, Ray, Rgb, Segment, Side};
 use crate::surface::Hit;
@@ -22,17 +19,8 @@ pub struct LightView<'a> {
     casters: Vec<Vec<Caster<'a>>>,
     /// For every surface which of the lists counts for it; `None` if the light is not to light it.
     list_of: Vec<Option<usize>>,
-    /// What finds the casters if all surfaces share one list.
-    tree: Option<CasterTree>,
-}
-
-/// A tree of surfaces of which some cast shadows.
-#[derive(Debug)]
-struct CasterTree {
-    tree: Arc<Tree>,
-    /// For every surface its place in the list of casters.
-    casters: Vec<Option<u32>>,
-    clearance: Clearance,
+    /// What finds the casters if all surfaces share one list, and how clear of the light they are.
+    tree: Option<(CasterTree, Clearance)>,
 }
 
 /// What a light has before one of the surfaces that it can light.
@@ -40,7 +28,7 @@ struct CasterTree {
 pub struct Before<'v, 'a> {
     from: &'v Entry<'a>,
     casters: &'v [Caster<'a>],
-    tree: Option<&'v CasterTree>,
+    tree: Option<&'v (CasterTree, Clearance)>,
 }
 
 /// What can stand between a light and a hit of a surface.
@@ -115,8 +103,13 @@ impl<'a> LightView<'a> {
             for entry in lit {
                 view.list_of[entry.index] = Some(0);
             }
-            let tree = surfaces.tree.as_ref();
-            view.tree = tree.map(|tree| CasterTree::new(tree, &casters, surfaces, light));
+            view.tree = surfaces.tree.as_ref().map(|tree| {
+                let entries = || casters.iter().map(|caster| &caster.entry);
+                let bounded = entries().filter(|entry| entry.surface.bounds().is_some());
+                let clearance = Clearance::new(light, bounded);
+                let count = surfaces.entries().len();
+                (CasterTree::new(tree, count, entries()), clearance)
+            });
             view.casters.push(casters);
             return view;
         };
@@ -184,28 +177,6 @@ fn casters<'a>(surfaces: &SurfaceList<'a>, light: &Point) -> Vec<Caster<'a>> {
     casting.map(caster).collect()
 }
 
-impl CasterTree {
-    /// The tree of a list, for those of its surfaces that cast shadows in the light from a place.
-    fn new(
-        tree: &Arc<Tree>,
-        casters: &[Caster<'_>],
-        surfaces: &SurfaceList<'_>,
-        light: DVec3,
-    ) -> Self {
-        let mut places = vec![None; surfaces.entries().len()];
-        for (place, caster) in (0..).zip(casters) {
-            places[caster.entry.index] = Some(place);
-        }
-        let bounded = casters.iter().map(|caster| &caster.entry);
-        let bounded = bounded.filter(|entry| entry.surface.bounds().is_some());
-        Self {
-            tree: tree.clone(),
-            casters: places,
-            clearance: Clearance::new(light, bounded),
-        }
-    }
-}
-
 impl<'v, 'a> Before<'v, 'a> {
     /// What can stand between the light and a hit of the surface from which a ray goes to the light;
     /// `None` if nothing can.
@@ -246,54 +217,16 @@ impl Blockers<'_, '_> {
             })
         };
         let can_meet = |caster: &Caster<'_>| caster.can_meet(&segment.ray, self.hit);
-        let Some(CasterTree {
-            tree,
-            casters: places,
-            clearance,
-        }) = tree
-        else {
+        let Some((tree, clearance)) = tree else {
             // The first one is known to be able to.
             let (first, others) = casters[self.first..].split_at(1);
             let others = others.iter().filter(|caster| can_meet(caster));
-            let all = first.iter().chain(others);
-            return passed(all.filter(|caster| hides(caster)), segment);
+            let all = first.iter().chain(others).filter(|caster| hides(caster));
+            return passed(all.map(|caster| &caster.entry), segment);
         };
-        let mut in_the_way = Vec::new();
-        let mut blocked = false;
-        tree.walk(&segment.ray, clearance.until(segment), |index, until| {
-            let Some(place) = places[index] else {
-                return ControlFlow::Continue(until);
-            };
-            let caster = &casters[place as usize];
-            if !(can_meet(caster) && hides(caster)) {
-                return ControlFlow::Continue(until);
-            }
-            in_the_way.push(place);
-            blocked = caster.blocks;
-            if blocked {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(until)
-            }
-        });
-        if blocked {
-            return Rgb::BLACK;
-        }
-        in_the_way.sort_unstable();
-        passed(
-            in_the_way.iter().map(|place| &casters[*place as usize]),
-            segment,
-        )
+        tree.transmittance(segment, clearance.until(segment), |place| {
+            let caster = &casters[place];
+            (can_meet(caster) && hides(caster)).then_some((&caster.entry, caster.blocks))
+        })
     }
-}
-
-/// The share of light that passes all of these, which are in file order.
-fn passed<'c, 'a: 'c>(in_the_way: impl Iterator<Item = &'c Caster<'a>>, segment: &Segment) -> Rgb {
-    let mut passage = Passage::new(segment);
-    for Caster { entry, .. } in in_the_way {
-        if !passage.has_crossed(entry.support) && passage.cross(entry).is_break() {
-            break;
-        }
-    }
-    passage.share
 }

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::Entry;
+use super::funnel::Funnel;
 use super::reach::Reach;
 use super::slabs::Slabs;
 use super::split::{self, Item};
@@ -83,6 +84,36 @@ impl Tree {
                 .map(|(_, reach)| reach.sharpness)
                 .fold(1.0, f64::max),
         }
+    }
+
+    /// Asks all surfaces that rays from where a ray starts to a ball around a lamp may meet; `ask` says
+    /// whether the others matter.
+    pub(super) fn walk_toward(
+        &self,
+        ray: &Ray,
+        lamp: (DVec3, f64),
+        mut ask: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let funnel = Funnel::new(ray, lamp, self.center, self.extent, self.sharpness);
+        let mut ask_all = |indices: &[u32]| {
+            let mut indices = indices.iter();
+            indices.try_for_each(|index| ask(*index as usize))
+        };
+        ask_all(&self.beside)?;
+        let mut waiting = Vec::from_iter((!self.nodes.is_empty()).then_some(0));
+        while let Some(node) = waiting.pop() {
+            let Node { bounds, content } = &self.nodes[node as usize];
+            if funnel.misses(bounds) {
+                continue;
+            }
+            match *content {
+                Content::Surfaces(first, end) => {
+                    ask_all(&self.inside[first as usize..end as usize])?;
+                }
+                Content::Boxes(first) => waiting.extend([first + 1, first]),
+            }
+        }
+        ControlFlow::Continue(())
     }
 
     /// Asks all surfaces that a ray may meet up to a distance, the nearer boxes first.

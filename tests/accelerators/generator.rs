@@ -36,21 +36,56 @@ fn triple(numbers: [f64; 3], unit: f64, place: f64) -> String {
 
 /// The text of a scene: a function of its number alone.
 pub(crate) fn scene(seed: u64) -> String {
-    let mut random = Random::of(0xacce1, seed);
-    // All numbers are multiples of 1/64, so that far and scaled scenes are as exact as near ones.
-    let (unit, place) = match seed % 4 {
+    scene_of(20, seed)
+}
+
+/// The text of a scene of more surfaces, and two lamps.
+pub(crate) fn scene_with_lamps(seed: u64) -> String {
+    scene_of(60, seed) + &lamps(seed, units(seed))
+}
+
+/// A rectangle and a ball that shine.
+fn lamps(seed: u64, (unit, place): (f64, f64)) -> String {
+    let mut random = Random::of(0x1a3b5, seed);
+    let mut maker = Maker {
+        text: String::new(),
+        random: &mut random,
+        unit,
+        place,
+    };
+    let [pane, globe] = [0; 2].map(|_| triple(maker.point(5.0), unit, place));
+    let [normal, xdir] = [[0.0, -1.0, 0.5], [1.0, 0.0, 0.0]].map(|way| triple(way, 1.0, 0.0));
+    let [width, height, radius] = [2.0, 1.0, 0.5].map(|length| length * unit);
+    format!(
+        r#"
+        lamp {{ point {pane}; normal {normal}; xdir {xdir}; dimensions {width:?} {height:?}
+            emissivity 3; samples 5 }}
+        lamp {{ center {globe}; radius {radius:?}; emissivity 3; samples 5 }}
+        "#
+    )
+}
+
+/// The unit of length of a scene, and the place around which it lies.
+fn units(seed: u64) -> (f64, f64) {
+    match seed % 4 {
         0 => (2f64.powi(-100), 0.0),
         1 => (2f64.powi(100), 0.0),
         2 => (1.0, 1e9),
         _ => (1.0, 0.0),
-    };
+    }
+}
+
+fn scene_of(groups: usize, seed: u64) -> String {
+    let mut random = Random::of(0xacce1, seed);
+    // All numbers are multiples of 1/64, so that far and scaled scenes are as exact as near ones.
+    let (unit, place) = units(seed);
     let mut maker = Maker {
         text: head(unit, place, [24, 18]),
         random: &mut random,
         unit,
         place,
     };
-    for _ in 0..20 {
+    for _ in 0..groups {
         maker.group();
     }
     maker.text
@@ -70,6 +105,11 @@ pub(crate) fn many(count: usize) -> String {
         maker.rectangle(point, normal, xdir, [0.25, 0.25]);
     }
     maker.text
+}
+
+/// The same, with two lamps.
+pub(crate) fn many_with_lamps(count: usize) -> String {
+    many(count) + &lamps(count as u64, (1.0, 0.0))
 }
 
 struct Maker<'r> {
