@@ -5,7 +5,8 @@ use crate::measure::Timing;
 
 /// Tells each rung which other is better, if one is: no slower, no less accurate, and better in one of
 /// that. A difference of times within their deviations is none, nor is one of errors within the `doubt`
-/// of the reference. Of those that are better the fastest is named, which is itself on the front.
+/// of the reference. Of those that are better the fastest is named, which is itself on the front; of several
+/// as fast, the first.
 pub(super) fn mark(rungs: &mut [Measured], doubt: f64) {
     let places = rungs.iter();
     let places: Vec<_> = places.map(|rung| (rung.cpu, rung.deviation.rmse)).collect();
@@ -42,10 +43,15 @@ fn better(places: &[(Timing, f64)], doubt: f64) -> Vec<Option<usize>> {
     }
     let named = (0..places.len()).map(|rung| {
         let is_on_front = front.contains(&rung);
-        let dominating = front.iter().filter(|on| !is_on_front && beats(**on, rung));
+        let dominating = front.iter().copied();
+        let dominating = dominating.filter(|on| !is_on_front && beats(*on, rung));
+        let time = |rung: usize| places[rung].0;
+        let fastest = dominating
+            .clone()
+            .min_by(|one, other| time(*one).median.total_cmp(&time(*other).median))?;
         dominating
-            .min_by(|one, other| places[**one].0.median.total_cmp(&places[**other].0.median))
-            .copied()
+            .filter(|rung| time(*rung).may_be(time(fastest)))
+            .min()
     });
     named.collect()
 }
@@ -134,6 +140,13 @@ mod tests {
         assert_eq!(of(&chain, 0.015), [None, Some(2), None]);
         let far = [[1.0, 0.1], [1.0, 0.13]];
         assert_eq!(of(&far, 0.02), [None, Some(0)]);
+    }
+
+    #[test]
+    fn of_several_as_fast_the_first_is_named() {
+        let places = [[1.01, 0.1], [1.0, 0.1], [1.5, 0.09], [2.0, 0.1]];
+        let places = places.map(|[time, error]| (Timing::of(&[time]), error));
+        assert_eq!(better(&places, 0.0), [None, None, None, Some(0)]);
     }
 
     #[test]

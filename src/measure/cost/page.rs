@@ -94,7 +94,11 @@ fn sentence(words: &str) -> String {
             None => ("", words.to_owned()),
         },
     };
-    format!("<li><b>{}</b> {}</li>\n", escaped(dial), escaped(&rest))
+    // A number and its unit stay in one line.
+    let rest = escaped(&rest)
+        .replace(" %", "\u{a0}%")
+        .replace(" ms", "\u{a0}ms");
+    format!("<li><b>{}</b> <span>{rest}</span></li>\n", escaped(dial))
 }
 
 /// A rung's row of the table.

@@ -63,7 +63,8 @@ impl Cost {
         for (number, rung) in self.rungs.iter().enumerate().rev() {
             let class = format!("dot {}", color(rung.dial));
             svg.dot(&class, number, place(&frame, rung), &story(rung));
-            labels.avoid(place(&frame, rung), [6.0, 6.0]);
+            // A little less up and down, so that nearly the same dots leave room above.
+            labels.avoid(place(&frame, rung), [6.0, 5.0]);
         }
         self.label(svg, &frame, labels);
         self.legend(svg, [left, bottom + 62.0], right);
@@ -138,8 +139,8 @@ fn place(frame: &Frame, rung: &Measured) -> [f64; 2] {
     frame.place([rung.cpu.median, rung.deviation.rmse])
 }
 
-/// What a rung is called beside its dot, whose colour tells the dial.
-fn name(rung: &Measured) -> String {
+/// What a rung is called where its dial is told already, as by the colour of its dot.
+pub(super) fn name(rung: &Measured) -> String {
     // What else is set is the same for all steps of a dial.
     let last = rung.label.rsplit(' ').next();
     match (rung.dial, last) {

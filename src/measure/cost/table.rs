@@ -3,6 +3,7 @@
 use std::fmt;
 use std::fmt::Write;
 
+use super::plot::name;
 use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
 use crate::measure::Timing;
 use crate::measure::clock::in_words;
@@ -161,7 +162,12 @@ impl Law {
                         error => format!("{error:.6}"),
                     };
                     let time = in_words(rung.cpu.median);
-                    Some(format!("{} errs by {error} in {time}", rung.label))
+                    let step = if rung.dial == Some(dial) {
+                        name(rung)
+                    } else {
+                        rung.label.clone()
+                    };
+                    Some(format!("{step} errs by {error} in {time}"))
                 });
                 let steps: Vec<_> = steps.collect();
                 format!("{dial}: by itself {}", steps.join(", "))
