@@ -5,10 +5,13 @@ use std::f64::consts::PI;
 use glam::{DVec2, DVec3};
 
 use super::lamp_form::LampForm;
-use super::{FinitePlane, Lamp, Surface};
+use super::{FinitePlane, Lamp, Sphere, Surface};
 use crate::math::{Frame, Point, Side, direction, form_factor};
 
 impl Lamp {
+    /// Those of a rectangle of width and height 1, in order around it.
+    const CORNERS: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+
     /// How much light arrives at a place with this unit normal if nothing stands in the way, as a
     /// share of what a sky as bright would give: from 0 to 1.
     #[must_use]
@@ -39,8 +42,6 @@ impl Lamp {
             LampForm::Globe(_) => form_factor::of_ball(center, self.reach(), normal),
         }
     }
-
-    const CORNERS: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
 
     fn on_pane(&self, pane: &FinitePlane, at: DVec2) -> Point {
         let rectangle = pane.rectangle();
@@ -76,25 +77,7 @@ impl Lamp {
     pub fn sample(&self, place: &Point, normal: DVec3, at: DVec2) -> (Point, f64) {
         let (point, front, stretch) = match &self.form {
             LampForm::Pane(pane) => (self.on_pane(pane, at), pane.rectangle().flat.normal, 1.0),
-            LampForm::Globe(globe) => {
-                let way = place.from(globe.center());
-                let (distance, radius) = (way.length(), globe.radius());
-                let axis = direction(way);
-                let frame = Frame::any(axis);
-                let seen = (distance - radius).max(0.0) * (distance + radius) / distance / distance;
-                let (sine, cosine) = ((at.x * seen).sqrt(), (1.0 - at.x * seen).sqrt());
-                let turn = 2.0 * PI * at.y;
-                let across = frame.x * libm::cos(turn) + frame.y * libm::sin(turn);
-                // So that a scene turned by half a turn about an axis is asked at the same places.
-                let is_turned = axis.x < 0.0 || axis.x == 0.0 && axis.y * axis.z < 0.0;
-                let across = if is_turned { -across } else { across };
-                let front = axis * cosine + across * sine;
-                let point = Point {
-                    anchor: globe.center(),
-                    offset: front * radius,
-                };
-                (point, front, cosine)
-            }
+            LampForm::Globe(globe) => on_globe(globe, place, at),
         };
         let way = point.way_from(place);
         let distance = way.length();
@@ -120,4 +103,27 @@ impl Lamp {
             },
         }
     }
+}
+
+/// The point of a ball that `at` chooses evenly over the disc which a place sees of it; its unit normal;
+/// and the cosine between ball and disc there, which areas of the disc are smaller by.
+#[inline]
+fn on_globe(globe: &Sphere, place: &Point, at: DVec2) -> (Point, DVec3, f64) {
+    let way = place.from(globe.center());
+    let (distance, radius) = (way.length(), globe.radius());
+    let axis = direction(way);
+    let frame = Frame::any(axis);
+    let seen = (distance - radius).max(0.0) * (distance + radius) / distance / distance;
+    let (sine, cosine) = ((at.x * seen).sqrt(), (1.0 - at.x * seen).sqrt());
+    let turn = 2.0 * PI * at.y;
+    let across = frame.x * libm::cos(turn) + frame.y * libm::sin(turn);
+    // So that a scene turned by half a turn about an axis is asked at the same places.
+    let is_turned = axis.x < 0.0 || axis.x == 0.0 && axis.y * axis.z < 0.0;
+    let across = if is_turned { -across } else { across };
+    let front = axis * cosine + across * sine;
+    let point = Point {
+        anchor: globe.center(),
+        offset: front * radius,
+    };
+    (point, front, cosine)
 }
