@@ -39,8 +39,7 @@ impl Transfer {
         match self {
             Self::None => value,
             Self::Srgb if value <= 0.040_45 => value / 12.92,
-            // The power 2.4, which takes half as long this way.
-            Self::Srgb => libm::exp(2.4 * libm::log((value + 0.055) / 1.055)),
+            Self::Srgb => libm::pow((value + 0.055) / 1.055, 2.4),
         }
     }
 
@@ -139,10 +138,6 @@ mod tests {
                 // Where the parts of the curve meet, the constants of the standard leave a step.
                 assert!((back - intensity).abs() <= 1e-8, "{transfer:?} {intensity}");
             }
-            let value = intensity.max(0.05);
-            let exact = libm::pow((value + 0.055) / 1.055, 2.4);
-            let found = Transfer::Srgb.intensity(value);
-            assert!((found - exact).abs() <= 1e-15, "{value}");
         }
     }
 

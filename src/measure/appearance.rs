@@ -6,8 +6,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::kernel::{Border, Kernel, Plane};
-use super::lab::{Lab, xyz_of_rgb};
-use crate::film::{Film, Transfer};
+use super::lab::{Lab, intensity_of_value, xyz_of_rgb};
+use crate::film::Film;
 
 /// How many pixels an eye sees in a degree: on a screen that is 3840 pixels wide, from as far away as
 /// it is wide.
@@ -33,10 +33,9 @@ impl Appearance {
     /// Screens take code values for sRGB, by whatever curve they were made; and so does this.
     #[must_use]
     pub fn of(film: &Film) -> Self {
-        let to_xyz = xyz_of_rgb();
+        let (intensity, to_xyz) = (intensity_of_value(), xyz_of_rgb());
         let opponents = film.pixels().par_iter().map(|pixel| {
-            let shown = pixel.channels().map(|channel| channel.clamp(0.0, 1.0));
-            let light = shown.map(|value| Transfer::Srgb.intensity(value));
+            let light = pixel.channels().map(&intensity);
             let DVec3 { x, y, z } = to_xyz * DVec3::from(light);
             [y, x - y, y - z]
         });
