@@ -113,17 +113,20 @@ fn more_samples_are_closer_to_the_reference() {
 
 #[test]
 fn what_max_error_adds_is_compared_with_more() {
-    let doubt_of = |text: &str, variations: &[&str]| {
-        let cost = measured(&mut scene(text), variations, 1);
+    // Where white borders on black, most rays are added.
+    let white = "material \"chalk\" { ambient 1; diffuse 0 }";
+    let lines = SCENE.lines().map(|line| match line {
+        line if line.starts_with("material") => white,
+        line if line.starts_with("plane") => "",
+        line => line,
+    });
+    let ball = lines.collect::<Vec<_>>().join("\n");
+    let in_scene = ball.replace("image 32 24", "image 32 24 max-error=0.008");
+    for (text, variation) in [(&ball, "max-error=2/255"), (&in_scene, "numerics=classic")] {
+        let cost = measured(&mut scene(text), &[variation], 1);
         let error = cost.rungs.last().expect("a rung").deviation.rmse;
-        (cost.reference.doubt.expect("two halves").rmse, error)
-    };
-    let in_scene = SCENE.replace("image 32 24", "image 32 24 max-error=0.008");
-    for (doubt, error) in [
-        doubt_of(SCENE, &["max-error=2/255"]),
-        doubt_of(&in_scene, &["numerics=classic"]),
-    ] {
-        assert!(doubt > 0.0 && doubt < error / 2.0, "{doubt} {error}");
+        let doubt = cost.reference.doubt.expect("two halves").rmse;
+        assert!(doubt > 0.0 && doubt < error / 3.0, "{doubt} {error}");
     }
 }
 

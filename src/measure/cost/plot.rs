@@ -108,7 +108,6 @@ impl Cost {
 
     /// The dials and their colours, in rows below the plot.
     fn legend(&self, svg: &mut Svg, [left, y]: [f64; 2], right: f64) {
-        const LETTER: f64 = 6.8;
         let mut dials: Vec<Option<&str>> = Vec::new();
         for rung in &self.rungs {
             if !dials.contains(&rung.dial) {
@@ -123,20 +122,29 @@ impl Cost {
                 None if combined => "several dials",
                 None => "the scene as it is",
             };
-            #[expect(clippy::cast_precision_loss, reason = "a few letters")]
-            let width = 15.0 + LETTER * title.len() as f64;
+            let letters: f64 = title.chars().map(width_of).sum();
+            let width = 15.0 + letters;
             if x + width > right + 10.0 {
                 [x, y] = [left, y + 17.0];
             }
             svg.rectangle(&format!("chip {}", color(dial)), [x, y - 9.0], [10.0, 10.0]);
             svg.text("key", "start", [x + 15.0, y], title);
-            x += width + 15.0;
+            x += width + 13.0;
         }
     }
 }
 
 fn place(frame: &Frame, rung: &Measured) -> [f64; 2] {
     frame.place([rung.cpu.median, rung.deviation.rmse])
+}
+
+/// About how wide a letter of the legend is.
+fn width_of(letter: char) -> f64 {
+    match letter {
+        'f' | 'i' | 'j' | 'l' | 'r' | 't' | '-' | ' ' => 4.6,
+        'm' | 'w' => 11.0,
+        _ => 7.6,
+    }
 }
 
 /// What a rung is called where its dial is told already, as by the colour of its dot.
