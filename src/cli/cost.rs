@@ -24,8 +24,6 @@ use crate::scene::Scene;
 pub(super) struct Options {
     #[command(flatten)]
     input: input::OneScene,
-    #[command(flatten)]
-    dials: Dials,
     /// Try these values of a property of `image`; may be given for several.
     #[arg(long, value_name = "WORD=A,B,…", allow_hyphen_values = true, value_parser = Variation::new)]
     vary: Vec<Variation>,
@@ -60,6 +58,9 @@ pub(super) struct Options {
     /// Write a page with plot, pictures, errors and table, one HTML file that needs nothing else.
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
+    // The last, since the help has what comes after them under their heading.
+    #[command(flatten)]
+    dials: Dials,
 }
 
 /// A time in seconds from `2s` or `500ms`.

@@ -42,8 +42,6 @@ pub(super) struct Options {
     #[arg(long, value_name = "X0,Y0,X1,Y1", allow_hyphen_values = true, value_parser = crop)]
     crop: Option<Region>,
     #[command(flatten)]
-    dials: Dials,
-    #[command(flatten)]
     threads: Threads,
     /// Format of the pictures or of the scenes; may be given for both.
     #[arg(long, value_name = "FORMAT", value_enum)]
@@ -59,6 +57,9 @@ pub(super) struct Options {
     simulate_everything: bool,
     #[command(flatten)]
     json: Json,
+    // The last, since the help has what comes after them under their heading.
+    #[command(flatten)]
+    dials: Dials,
 }
 
 /// A part of the picture from `10,20,30,40`.

@@ -152,3 +152,17 @@ fn a_picture_to_a_closed_pipe_is_no_error() {
         .expect("bash runs");
     assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "0");
 }
+
+#[test]
+fn the_help_has_below_a_heading_what_belongs_there() {
+    let shell = Shell::new();
+    for command in ["render", "cost"] {
+        let help = shell.run(&[command, "--help"]).ends_with(0);
+        let parts = help.stdout_text().split_once("The picture, instead of");
+        let (options, picture) = parts.expect("a heading");
+        for (word, is_of_picture) in [("--size", true), ("--depth", true), ("--json", false)] {
+            assert_eq!(picture.contains(word), is_of_picture, "{command} {word}");
+            assert_eq!(options.contains(word), !is_of_picture, "{command} {word}");
+        }
+    }
+}
