@@ -8,6 +8,7 @@ use super::dials::Dials;
 use super::input::Failure;
 use super::messages::{Json, Messages, problems_json};
 use super::numbers::whole;
+use super::output::place;
 use super::threads::Threads;
 use super::{Status, input, progress};
 use crate::film::{check_place, save};
@@ -61,6 +62,13 @@ pub(super) struct Options {
     // The last, since the help has what comes after them under their heading.
     #[command(flatten)]
     dials: Dials,
+}
+
+impl Options {
+    /// The file to compare with, if one is named.
+    fn reference(&self) -> Option<&Path> {
+        (self.reference.as_os_str() != "auto").then_some(&self.reference)
+    }
 }
 
 /// A time in seconds from `2s` or `500ms`.
@@ -133,8 +141,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
         (variations, true) => Ladder::of_all(base, variations).map_err(senseless)?,
         (variations, false) => Ladder::of_each(base, variations).map_err(senseless)?,
     };
-    let reference = (options.reference.as_os_str() != "auto").then(|| {
-        let path = &options.reference;
+    let reference = options.reference().map(|path| {
         Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
             let error = format!("cannot compare with {}: {error}", path.display());
             Failure::new(Status::Io, error, messages)
@@ -157,7 +164,8 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
     cost.map_err(refused)
 }
 
-/// Refuses to write one file twice, over what the scene is made of, or where nothing can be written, before anything is measured.
+/// Refuses to write one file twice, over what the scene is made of or compared with, or where nothing can
+/// be written, before anything is measured.
 fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), Failure> {
     let outputs = [&options.csv, &options.plot, &options.report];
     let outputs: Vec<&Path> = outputs
@@ -165,13 +173,15 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
         .flatten()
         .map(PathBuf::as_path)
         .collect();
+    let same = |one: &Path, other: &Path| {
+        let places = [one, other].map(|path| place(path).ok());
+        places[0].is_some() && places[0] == places[1]
+    };
     for (number, output) in outputs.iter().enumerate() {
-        let same =
-            |other: &&Path| std::path::absolute(other).ok() == std::path::absolute(output).ok();
         let error = if output.as_os_str() == "-" {
             let error = "standard output has the table; give a name to the file";
             (Status::Usage, error.to_owned())
-        } else if outputs[..number].iter().any(same) {
+        } else if outputs[..number].iter().any(|other| same(other, output)) {
             (
                 Status::Usage,
                 format!("{} would be written twice", output.display()),
@@ -183,6 +193,11 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
                 output.display()
             );
             (Status::Usage, error)
+        } else if options.reference().is_some_and(|it| same(it, output)) {
+            (
+                Status::Usage,
+                format!("{} would replace what is compared with", output.display()),
+            )
         } else if let Err(error) = check_place(output) {
             let error = format!("cannot write {}: {error}", output.display());
             (Status::Io, error)

@@ -167,7 +167,7 @@ fn filled(pattern: &str, stem: &str) -> Result<String, Refused> {
 }
 
 /// The one true path of a file that may not exist yet; its folder must.
-fn place(path: &Path) -> Result<PathBuf, Refused> {
+pub(super) fn place(path: &Path) -> Result<PathBuf, Refused> {
     if let Ok(place) = path.canonicalize() {
         return Ok(place);
     }

@@ -366,3 +366,26 @@ fn a_file_that_cannot_be_made_is_called_as_it_was_asked_for() {
         run.says("error: cannot write /proc/it.png: No such file or directory (os error 2)\n");
     }
 }
+
+#[test]
+fn what_cost_writes_replaces_nothing_that_it_needs_or_has_written() {
+    let shell = Shell::with_scene();
+    shell.run(&["render", "scene.kdl"]).ends_with(0);
+    let folder = shell.path("");
+    let folder = folder.file_name().expect("a name").display();
+    let beyond = format!("../{folder}/it.csv");
+    for (arguments, expected) in [
+        (
+            ["--csv", "it.csv", "--plot", beyond.as_str()],
+            "written twice",
+        ),
+        (
+            ["--csv", "scene.png", "--reference", "./scene.png"],
+            "scene.png would replace what is compared with",
+        ),
+    ] {
+        let arguments = [&["cost", "scene.kdl", "--runs", "1"], &arguments[..]].concat();
+        shell.run(&arguments).ends_with(2).says(expected);
+    }
+    assert_eq!(shell.files(), ["scene.kdl", "scene.png"]);
+}
