@@ -93,13 +93,13 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// All combinations of the variations' settings.
+    /// All combinations of the variations' settings; several variations of one dial are one.
     ///
     /// # Errors
     /// Refuses settings that make no sense together.
     pub fn of_all(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
         let mut combinations = vec![Vec::new()];
-        for variation in variations {
+        for variation in joined(variations) {
             let longer = combinations.iter().flat_map(|combination: &Vec<Setting>| {
                 let with =
                     |setting: &Setting| [combination.clone(), vec![setting.clone()]].concat();
@@ -165,6 +165,19 @@ impl Rung {
         let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
         dials.flatten().any(|dial| dial.in_writing)
     }
+}
+
+/// The variations, of each dial one.
+fn joined(variations: &[Variation]) -> Vec<Variation> {
+    let word = |variation: &Variation| variation.0.first().map(Setting::word);
+    let mut joined: Vec<Variation> = Vec::new();
+    for variation in variations {
+        match joined.iter_mut().find(|it| word(it) == word(variation)) {
+            Some(known) => known.0.extend_from_slice(&variation.0),
+            None => joined.push(variation.clone()),
+        }
+    }
+    joined
 }
 
 /// The settings that can be seen in a picture: floats are not rounded to code values.
@@ -237,6 +250,11 @@ mod tests {
         let all = Ladder::of_all(base(), &variations).expect("a ladder");
         let turned = all.0.iter().map(|rung| rung.dial);
         assert!(turned.eq([None; 3]), "no dial is turned alone");
+        let variations = ["samples=4", "depth=16", "samples=9"];
+        let variations = variations.map(|text| Variation::new(text).expect("a variation"));
+        let all = Ladder::of_all(base(), &variations).expect("a ladder");
+        let expected = ["as it is", "samples=4 depth=16", "samples=9 depth=16"];
+        assert_eq!(labels(&all), expected, "one dial, one setting");
     }
 
     #[test]
