@@ -64,23 +64,34 @@ fn law(dial: &Dial, rungs: &[Measured], doubt: f64) -> Option<Law> {
     Some(Law {
         dial: dial.word,
         most_accurate: best.label.clone(),
-        trade: if words { Trade::Words } else { trade(&points) },
+        trade: if words {
+            Trade::Words
+        } else {
+            trade(&points, doubt)
+        },
     })
 }
 
-/// How times, numbers and errors go together.
-fn trade(points: &[[f64; 3]]) -> Trade {
-    let times = points.iter().map(|[time, ..]| *time);
-    let (least, most) = times.fold((f64::INFINITY, 0.0_f64), |(least, most), time| {
-        (least.min(time), most.max(time))
-    });
+/// How times, numbers and errors go together, if nobody can tell errors apart that differ by no more than
+/// the doubt.
+fn trade(points: &[[f64; 3]], doubt: f64) -> Trade {
+    let range = |axis: usize| {
+        let numbers = points.iter().map(|point| point[axis]);
+        numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), it| {
+            (least.min(it), most.max(it))
+        })
+    };
+    let ((least, most), errors) = (range(0), range(2));
+    let is_told = errors.1 - errors.0 > doubt;
     let against = |axis: usize| exponent(points.iter().map(|point| [point[axis], point[2]]));
     match [against(0), against(1)] {
-        [Some(of_time), Some(of_value)] if of_time < 0.0 && most > ALIKE * least => Trade::Power {
-            of_time,
-            of_value,
-            halving: libm::exp2(-1.0 / of_time),
-        },
+        [Some(of_time), Some(of_value)] if of_time < 0.0 && is_told && most > ALIKE * least => {
+            Trade::Power {
+                of_time,
+                of_value,
+                halving: libm::exp2(-1.0 / of_time),
+            }
+        }
         _ => Trade::Free,
     }
 }
@@ -118,7 +129,7 @@ mod tests {
             of_time,
             of_value,
             halving,
-        } = trade(&points)
+        } = trade(&points, 0.01)
         else {
             panic!("no power");
         };
@@ -129,10 +140,21 @@ mod tests {
     #[test]
     fn what_takes_no_longer_is_free() {
         let alike = [[1.0, 0.1, 0.1], [1.05, 0.01, 0.01], [1.02, 0.001, 0.001]];
-        assert_eq!(trade(&alike), Trade::Free);
-        assert_eq!(trade(&[]), Trade::Free);
+        assert_eq!(trade(&alike, 0.0), Trade::Free);
+        assert_eq!(trade(&[], 0.0), Trade::Free);
         let worse = [[1.0, 1.0, 0.1], [2.0, 2.0, 0.2]];
-        assert_eq!(trade(&worse), Trade::Free, "longer and no more accurate");
+        assert_eq!(
+            trade(&worse, 0.0),
+            Trade::Free,
+            "longer and no more accurate"
+        );
+        let near = [[1.0, 1.0, 0.11], [2.0, 2.0, 0.1]];
+        assert_eq!(
+            trade(&near, 0.02),
+            Trade::Free,
+            "as far as anybody can tell"
+        );
+        assert_ne!(trade(&near, 0.005), Trade::Free);
     }
 
     /// Steps of a dial: what it is turned to if that is a number, the time, and the dial's own error.
