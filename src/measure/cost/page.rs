@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::plot::color;
 use super::table::{median, percent};
-use super::{Blame, Cost, Measured, pictures};
+use super::{Blame, Cost, Law, Measured, pictures};
 use crate::language::Refusal;
 use crate::measure::clock::in_words;
 use crate::measure::plot::{STYLE, escaped};
@@ -30,9 +30,10 @@ impl Cost {
             "recommended" => escaped(self.recommended.label.as_deref().unwrap_or("none")),
             "why" => escaped(&self.recommended.why),
             "laws" => {
-                let laws = self.laws.iter().map(|law| law.words(&self.rungs));
-                let blames = self.blames.iter().map(Blame::words);
-                laws.chain(blames).map(|words| sentence(&words)).collect()
+                let law = |law: &Law| sentence(law.dial, &law.words(&self.rungs));
+                let blame = |blame: &Blame| sentence(&blame.rung, &blame.words());
+                let laws = self.laws.iter().map(law);
+                laws.chain(self.blames.iter().map(blame)).collect()
             }
             "style" => STYLE.to_owned(),
             "wide" => self.plot_element("wide", [1000.0, 520.0]),
@@ -85,20 +86,15 @@ impl Cost {
     }
 }
 
-/// A sentence about a dial, its first words set apart.
-fn sentence(words: &str) -> String {
-    let (dial, rest) = match words.split_once(": ") {
-        Some((dial, rest)) => (dial, rest.to_owned()),
-        None => match words.split_once(" errs ") {
-            Some((rung, rest)) => (rung, format!("errs {rest}")),
-            None => ("", words.to_owned()),
-        },
-    };
+/// A sentence that begins with a dial or a rung, which is set apart.
+fn sentence(about: &str, words: &str) -> String {
+    let rest = words.strip_prefix(about).unwrap_or(words);
+    let rest = rest.trim_start_matches([':', ' ']);
     // A number and its unit stay in one line.
-    let rest = escaped(&rest)
+    let rest = escaped(rest)
         .replace(" %", "\u{a0}%")
         .replace(" ms", "\u{a0}ms");
-    format!("<li><b>{}</b> <span>{rest}</span></li>\n", escaped(dial))
+    format!("<li><b>{}</b> <span>{rest}</span></li>\n", escaped(about))
 }
 
 /// A rung's row of the table.
@@ -149,4 +145,28 @@ fn filled(template: &str, part: impl Fn(&str) -> String) -> String {
         rest = after;
     }
     text + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_sentence_is_about_is_set_apart() {
+        for (about, words, rest) in [
+            (
+                "depth",
+                "depth: by itself 8 errs by 1",
+                "by itself 8 errs by 1",
+            ),
+            (
+                "a=1 b=2",
+                "a=1 b=2 errs on plane c: d",
+                "errs on plane c: d",
+            ),
+        ] {
+            let expected = format!("<li><b>{about}</b> <span>{rest}</span></li>\n");
+            assert_eq!(sentence(about, words), expected);
+        }
+    }
 }
