@@ -78,6 +78,7 @@ pub fn cost(
     let (base, runs) = (scene.picture, runs.max(1));
     // The reference and the best of each dial are about as much work as one run.
     let steps = (runs as usize + 1) * ladder.0.len();
+    progress(0, steps);
     let truth = Truth {
         // First, while the scene has its own settings.
         spots: Spots::of(scene)?,
@@ -176,4 +177,27 @@ pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, Refusal> {
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
     let on = plan.decisions().into_iter().filter(|decision| decision.on);
     Ok(on.map(|decision| decision.effect).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::read::{Options, read_bytes};
+
+    #[test]
+    fn progress_begins_with_nothing_done_and_ends_with_all() {
+        let text = "image 4 3\ncamera { viewpoint 0 0 4; look-at 0 0 0 }";
+        let reading = read_bytes("scene", text.into(), PathBuf::new(), &Options::default());
+        let mut scene = reading.expect("a scene").scene;
+        let variation = Variation::new("samples=4").expect("a variation");
+        let ladder = Ladder::of_each(scene.picture, &[variation]).expect("a ladder");
+        let told = Mutex::new(Vec::new());
+        let note = |done, of| told.lock().expect("a list").push((done, of));
+        cost(&mut scene, &ladder, None, 2, false, &note).expect("a cost");
+        let told = told.into_inner().expect("a list");
+        assert_eq!(told, [(0, 6), (2, 6), (3, 6), (4, 6), (5, 6), (6, 6)]);
+    }
 }
