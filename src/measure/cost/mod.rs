@@ -59,7 +59,7 @@ pub struct Cost {
 
 /// Measures what the rungs of a ladder cost: draws each of them in turn, at most as often as `runs`
 /// says and no more once its time has settled ([`Timing::has_settled`](super::Timing::has_settled)),
-/// on all threads of the current pool, after one run that is not counted; and compares them with a
+/// on all threads of the current pool, after some pictures that are not counted; and compares them with a
 /// reference, the best picture that there is if none is given.
 ///
 /// The scene's picture has its own settings whenever nothing is drawn. `pictures` asks for the pictures of
@@ -88,8 +88,7 @@ pub fn cost(
         },
         twins: twins(scene, base, ladder)?,
     };
-    // Not measured: the first picture also fetches program and textures into the caches.
-    draw(scene, base)?;
+    warm_up(scene, ladder)?;
     let mut done = ladder.0.len();
     progress(done, steps);
     let subjects = ladder.0.iter();
@@ -158,6 +157,27 @@ fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>,
         });
     }
     Ok(twins)
+}
+
+/// Draws what is not measured: the first picture also fetches program and textures into the caches, and
+/// the first with a filter makes what that needs of each texture.
+fn warm_up(scene: &mut Scene, ladder: &Ladder) -> Result<(), Refusal> {
+    let base = scene.picture;
+    draw(scene, base)?;
+    let mut filters = vec![base.texture_filter];
+    for Rung { picture, .. } in &ladder.0 {
+        if !filters.contains(&picture.texture_filter) {
+            filters.push(picture.texture_filter);
+            let quick = Picture {
+                samples: 1,
+                max_error: 0.0,
+                texture_filter: picture.texture_filter,
+                ..base
+            };
+            draw(scene, quick)?;
+        }
+    }
+    Ok(())
 }
 
 /// Draws a scene with other settings of its picture, and gives it back its own.
