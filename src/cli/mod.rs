@@ -49,7 +49,8 @@ use status::Status;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    #[command(flatten)]
+    // Behind what the commands have of their own, and before the help itself.
+    #[command(flatten, next_display_order = 900)]
     global: Global,
 }
 

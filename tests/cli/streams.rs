@@ -164,5 +164,8 @@ fn the_help_has_below_a_heading_what_belongs_there() {
             assert_eq!(picture.contains(word), is_of_picture, "{command} {word}");
             assert_eq!(options.contains(word), !is_of_picture, "{command} {word}");
         }
+        let places = ["--threads", "--json", "--quiet", "--color", "--help"];
+        let places = places.map(|word| options.find(word));
+        assert!(places.is_sorted(), "{command} {places:?}");
     }
 }
