@@ -6,6 +6,9 @@ const LETTER: [f64; 2] = [7.3, 12.0];
 /// From the middle of a dot to the nearest side of its label.
 const GAP: f64 = 8.0;
 
+/// Between labels side by side, so that they are not read as one.
+const SPACE: f64 = 5.0;
+
 /// Finds room for labels.
 #[derive(Debug)]
 pub(in crate::measure) struct Labels {
@@ -57,7 +60,8 @@ impl Labels {
             let area = Area::around(*middle, half);
             area.is_in(self.bounds) && !self.taken.iter().any(|other| area.overlaps(*other))
         })?;
-        self.taken.push(Area::around(middle, half));
+        let apart = [half[0] + SPACE, half[1]];
+        self.taken.push(Area::around(middle, apart));
         Some([middle[0], middle[1] + 4.0])
     }
 }
@@ -117,6 +121,16 @@ mod tests {
             labels.beside([190.0, 95.0], "a name that is much too long for it"),
             None
         );
+    }
+
+    #[test]
+    fn labels_side_by_side_are_not_read_as_one() {
+        let mut labels = Labels::within([0.0, 0.0], [200.0, 200.0]);
+        // The labels of both would touch above their dots.
+        let [nine, other] = [([100.0, 100.0], "9"), ([118.3, 100.0], "0.08")];
+        assert_eq!(labels.beside(nine.0, nine.1), Some([100.0, 92.0]));
+        let place = labels.beside(other.0, other.1).expect("room");
+        assert!((place[0] - 140.9).abs() < 1e-9, "to the right: {place:?}");
     }
 
     #[test]
