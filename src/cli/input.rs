@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::Status;
 use super::messages::{Messages, problems_json};
+use crate::language::Refusal;
 use crate::read::{Language, Options, Reading, Rejection, bytes_from, read_bytes, read_file};
 use crate::scene::Scene;
 
@@ -70,6 +71,11 @@ pub(super) fn read(
     match read {
         Ok(Ok(reading)) => {
             messages.problems(&reading.warnings, &reading.scene.sources);
+            // A scene that makes no sense by itself has been rejected.
+            if let Err(Refusal { reason, advice, .. }) = reading.scene.picture.check() {
+                let error = format!("{}: {reason}; {advice}", title(scene));
+                return Err(Failure::new(Status::Usage, error, messages));
+            }
             Ok(reading)
         }
         Ok(Err(rejection)) => {

@@ -60,7 +60,12 @@ pub(super) fn scene(
     let lighting = sound(nodes, &Lighting::SCHEMA, &files, problems);
     let picture = picture.map(|picture| {
         let set = with_options(picture, options);
-        if let (Err(no), Some(node)) = (set.check(), of(nodes, &Picture::SCHEMA).next()) {
+        // What only the options made senseless is no mistake of the scene.
+        if let (Err(no), Err(_), Some(node)) = (
+            picture.check(),
+            set.check(),
+            of(nodes, &Picture::SCHEMA).next(),
+        ) {
             refused(node, no, problems);
         }
         set

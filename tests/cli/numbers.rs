@@ -74,3 +74,23 @@ fn what_is_too_large_is_told_the_same() {
         run.ends_with(2).says(expected).says(option);
     }
 }
+
+#[test]
+fn what_options_make_senseless_is_no_mistake_of_the_scene() {
+    let shell = Shell::with_scene();
+    for (options, reason) in [
+        (
+            ["--samples", "4", "--pattern", "center"],
+            "scene.kdl: 4 rays through the centre of a pixel are the same ray",
+        ),
+        (
+            ["--max-error", "0.1", "--pattern", "grid"],
+            "with `max-error` rays are added, which \"grid\" cannot do",
+        ),
+    ] {
+        for command in ["render", "cost"] {
+            let run = shell.run(&[&[command, "scene.kdl"], &options[..]].concat());
+            run.ends_with(2).says(reason).says("; ask for `");
+        }
+    }
+}

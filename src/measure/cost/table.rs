@@ -104,7 +104,8 @@ impl Cost {
             None => format!("Reference: {about}; nobody knows how far it is off itself."),
             Some(doubt) => format!(
                 "Reference: {about}; off itself by an RMSE of about {:.6}, and by {:.2} code \
-                 values at most. Rungs whose RMSE differ by no more are equally accurate.",
+                 values where its halves differ most. Rungs whose RMSE differ by no more are equally \
+                 accurate.",
                 doubt.rmse, doubt.largest
             ),
         }
