@@ -7,6 +7,42 @@ fn assert_the_same(text: &str) {
     assert!(differing.is_empty(), "{differing:?} in {text}");
 }
 
+/// A strip over a floor that shares a border with another one very far away, from which it is off by half of
+/// a thousandth: `camera` looks at something that depends on it.
+fn beside_a_far_neighbor(camera: &str, light: &str) -> String {
+    format!(
+        r#"
+        image 150 100
+        camera {{ {camera} }}
+        lighting {{ falloff "none"; view-falloff "none" }}
+        material "gray" {{ ambient 0.125; diffuse 0.75 }}
+        {light}
+        finite-plane {{ material "gray"; point -2 -2 -1; normal 0 0 1; xdir 1 0 0; dimensions 6 6 }}
+        finite-plane {{ material "gray"; point 0.4 0 0; normal 0 0 1; xdir 1 0 0; dimensions 0.1 1 }}
+        finite-plane {{
+            material "gray"
+            point 0.1 1e12 0
+            normal 0 0 1
+            xdir 1 0 0
+            dimensions 0.2995 1
+        }}
+        "#
+    )
+}
+
+const SHADOW: &str = "viewpoint 1 0.5 -0.5; look-at 0.81 0.5 -1; field-of-view 10";
+const STRIP: &str = "viewpoint 0.41 0.5 0.3; look-at 0.4 0.5 0; field-of-view 0.5";
+const LIGHT: &str = "light { location 0 0.5 1; emissivity 1 }";
+
+#[test]
+fn a_shadow_of_what_shares_a_border_with_something_far_away_is_not_cut_off() {
+    assert_the_same(&beside_a_far_neighbor(SHADOW, LIGHT));
+    let lamp = "lamp { point 0 0.45 1; normal 0 0 -1; xdir 0 1 0; dimensions 0.1 0.0001; \
+                emissivity 2000; samples 4 }";
+    assert_the_same(&beside_a_far_neighbor(SHADOW, lamp));
+    assert_the_same(&beside_a_far_neighbor(STRIP, LIGHT));
+}
+
 #[test]
 fn a_triangle_is_not_met_behind_the_wall_that_it_touches_however_flatly_it_is_seen() {
     for lamp in [
