@@ -10,6 +10,8 @@ mod generator;
 #[path = "oracle/random.rs"]
 #[expect(dead_code, reason = "the oracle takes other numbers as well")]
 mod random;
+#[path = "elision/rounding.rs"]
+mod rounding;
 
 use std::fs;
 use std::path::PathBuf;

@@ -23,7 +23,7 @@ use crate::math::{Flat, Point, direction};
 pub(super) struct Divide {
     point: DVec3,
     normal: DVec3,
-    /// How far the point can be off.
+    /// How far the point, and what it is a plane of, can be off.
     slack: f64,
     /// `short³/long²`.
     thickness: f64,
@@ -72,8 +72,8 @@ impl Divide {
     pub(super) fn has_before_it(&self, place: &Point, astray: f64) -> bool {
         let (way, length) = place.seen_from(self.point);
         let size = length + self.size;
-        let doubt = BLUR * size + 8.0 * astray;
-        let height = self.normal.dot(way) - doubt - self.slack;
+        let doubt = BLUR * size + 8.0 * (astray + self.slack);
+        let height = self.normal.dot(way) - doubt;
         height > 0.0 && height * height * self.thickness > doubt * size * size
     }
 }

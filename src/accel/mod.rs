@@ -22,6 +22,7 @@ mod tree;
 pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
+pub use reach::overhang;
 pub use shadows::{Before, Blockers, LightView};
 pub use sight::{Ahead, Sight};
 pub use supports::supports;

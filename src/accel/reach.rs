@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use super::Entry;
-use crate::math::Bounds;
 use crate::math::band::{GRAZING, SLAB, WIDEN};
+use crate::math::{Bounds, Flat};
+use crate::surface::Surface;
 
 /// The sharpness up to which a surface has a box, 2²⁰. Larger, and one sliver makes every ray as wide as
 /// it is long; smaller, and slivers of a mesh are asked one by one.
@@ -47,6 +48,17 @@ impl Reach {
         reach.bounds.max += DVec3::splat(margin);
         let known = reach.bounds.min.is_finite() && reach.bounds.max.is_finite();
         (known && reach.sharpness <= SHARPEST).then_some(reach)
+    }
+}
+
+/// How far at most a surface can be met beside the box around its corners, because borders that it shares
+/// with others, and its plane, are decided by numbers of theirs; of rays at no small angle to it.
+pub fn overhang(surface: &dyn Surface) -> f64 {
+    let slack = surface.slack() + surface.flat().map_or(0.0, Flat::slack);
+    if slack > 0.0 {
+        slack * sharpness(&surface.outline())
+    } else {
+        0.0
     }
 }
 

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Entry;
 use super::divide::Divide;
+use super::reach::overhang;
 use crate::math::band::UNIT;
 use crate::math::exact::ExactVector;
 use crate::math::{Ball, Bounds, Flat, Point, Side, Support};
@@ -15,6 +16,8 @@ pub(super) struct Body {
     support: Option<Support>,
     flat: Option<Flat>,
     outline: Vec<DVec3>,
+    /// How far it can be met beside its outline, though hits on it lie inside.
+    pub(super) overhang: f64,
     /// Points around it, exact and rounded; `None` if it has no end.
     hull: Option<Vec<(ExactVector, DVec3)>>,
     /// The centre and the half axes, if it is round.
@@ -46,6 +49,7 @@ impl Body {
             support,
             flat: surface.flat().copied(),
             outline: surface.outline(),
+            overhang: overhang(surface),
             hull: surface
                 .hull()
                 .map(|hull| hull.into_iter().map(with_rounded).collect()),
@@ -197,15 +201,16 @@ impl Body {
         let inner = self.outline.iter().cycle().skip(2);
         let mut borders = self.outline.iter().zip(next).zip(inner);
         borders.any(|((from, to), inner)| {
-            let inner_side = |light: DVec3| volume(light, *from, *to, *inner);
+            let border = [*from, *to];
+            let inner_side = |light: DVec3| volume(light, border, *inner, self.overhang);
             let first = inner_side(*first_light);
             lights.iter().all(|light| {
                 let inside = inner_side(*light);
-                let apart =
-                    |(_, point): &(ExactVector, DVec3)| match volume(*light, *from, *to, *point) {
-                        0.0 => false,
-                        side => inside != 0.0 && (side > 0.0) != (inside > 0.0),
-                    };
+                let side = |point| volume(*light, border, point, self.overhang);
+                let apart = |(_, point): &(ExactVector, DVec3)| match side(*point) {
+                    0.0 => false,
+                    side => inside != 0.0 && (side > 0.0) != (inside > 0.0),
+                };
                 inside * first > 0.0 && hull.iter().all(apart)
             })
         })
@@ -214,7 +219,8 @@ impl Body {
 
 /// Six times the volume of a tetrahedron, positive for one turn of its corners and negative for the
 /// other; zero if rounding leaves doubt about which it is, or about how a ray from `c` to the `top` passes `a` and `b`.
-fn volume(top: DVec3, a: DVec3, b: DVec3, c: DVec3) -> f64 {
+/// The line through these may be another one, which lies no further than this `beside` it.
+fn volume(top: DVec3, [a, b]: [DVec3; 2], c: DVec3, beside: f64) -> f64 {
     // Each difference, product and sum is rounded once, 11 on the longest path; corners may be
     // rounded too, and points that are computed on a surface lie off it by 16 roundings. All are
     // relative to products of sums of coordinates. The direction of a ray is rounded, too: it passes the
@@ -223,6 +229,6 @@ fn volume(top: DVec3, a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let size = |point: DVec3| Point::exact(point).size() + Point::exact(top).size();
     let volume = (a - top).cross(b - top).dot(c - top);
     let [a, b, c] = [a, b, c].map(size);
-    let doubt = BOUND * c * (a * b + (a + b) * c);
+    let doubt = BOUND * c * (a * b + (a + b) * c) + beside * (a + b + beside) * c;
     if volume.abs() > doubt { volume } else { 0.0 }
 }

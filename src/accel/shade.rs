@@ -45,7 +45,7 @@ impl Shade {
         let sum = |point: DVec3| Point::exact(point).size();
         let largest = hull.iter().map(|point| sum(*point)).fold(0.0, f64::max);
         let size = sum(light) + sum(rectangle.corner) + rectangle.size.element_sum() + largest;
-        let blur = SHADE * size * slant + UNDERFLOW;
+        let blur = (SHADE * size + 2.0 * caster.overhang) * slant + UNDERFLOW;
 
         let mut shade = Self {
             low: DVec2::INFINITY,

@@ -71,7 +71,7 @@ impl Shield {
             return Self::Flat {
                 flat: *flat,
                 lamp: body.side_of(source),
-                borders: Border::all(&surface.outline(), &source.corners()),
+                borders: Border::all(&surface.outline(), body.overhang, &source.corners()),
             };
         }
         let Some([center, axes]) = surface.round() else {
@@ -200,15 +200,15 @@ fn stands_flat(flat: &Flat, lamp: Option<Side>, borders: &[Border], hit: &Ray) -
 
 impl Border {
     /// The borders of an outline, as seen from the corners of a lamp; of one from which they see the
-    /// surface on different sides there is nothing to say.
-    fn all(outline: &[DVec3], corners: &[DVec3]) -> Vec<Self> {
+    /// surface on different sides there is nothing to say. What decides may lie `beside` them by so much.
+    fn all(outline: &[DVec3], beside: f64, corners: &[DVec3]) -> Vec<Self> {
         let next = outline.iter().cycle().skip(1);
         let inner = outline.iter().cycle().skip(2);
         let borders = outline.iter().zip(next).zip(inner);
         let planes = |((from, to), inner): ((&DVec3, &DVec3), &DVec3)| {
             let planes = corners
                 .iter()
-                .map(|corner| Plane::new(*corner, *from, *to, *inner));
+                .map(|corner| Plane::new(*corner, [*from, *to], beside, *inner));
             let planes: Option<Vec<_>> = planes.collect();
             let planes = planes.unwrap_or_default();
             let turned = |(_, turned): &(Plane, bool)| *turned;
@@ -238,21 +238,24 @@ impl Border {
 impl Plane {
     /// The plane through a lamp's corner and a border, and whether it had to be turned for its
     /// front to be the inner side; `None` if that is in doubt.
-    fn new(corner: DVec3, from: DVec3, to: DVec3, inner: DVec3) -> Option<(Self, bool)> {
+    fn new(
+        corner: DVec3,
+        [from, to]: [DVec3; 2],
+        beside: f64,
+        inner: DVec3,
+    ) -> Option<(Self, bool)> {
         let normal = (from - corner).cross(to - corner);
         let size = |point: DVec3| (point.abs() + corner.abs()).element_sum();
-        let share = BLUR * size(from) * size(to);
+        let share = BLUR * size(from) * size(to) + beside * (size(from) + size(to) + beside);
         let bend = BLUR * (size(from) + size(to));
+        let fixed =
+            share * (size(from) + corner.abs().element_sum()) + normal.abs().element_sum() * beside;
         let height = normal.dot(inner - from);
         let turned = height < 0.0;
-        (height.abs() > share * size(inner)).then(|| {
+        (height.abs() > fixed + share * size(inner)).then(|| {
             let plane = Self {
                 normal: if turned { -normal } else { normal },
-                doubt: [
-                    share * (size(from) + corner.abs().element_sum()),
-                    share,
-                    bend,
-                ],
+                doubt: [fixed, share, bend],
             };
             (plane, turned)
         })

@@ -1,6 +1,6 @@
 //! Which surfaces the eye can see where.
 
-use super::{Entry, SurfaceList, nearest};
+use super::{Entry, SurfaceList, nearest, overhang};
 use crate::camera::{Camera, Stretch, Window};
 use crate::math::{Limits, Ray};
 use crate::surface::Hit;
@@ -31,10 +31,10 @@ impl<'a> Sight<'a> {
         let window = |entry: &Entry<'a>| {
             let outline = entry.surface.outline();
             if !outline.is_empty() {
-                return camera.window(outline);
+                return camera.window(outline, overhang(entry.surface));
             }
             match entry.surface.bounds() {
-                Some(bounds) => camera.window(bounds.corners()),
+                Some(bounds) => camera.window(bounds.corners(), 0.0),
                 None => Some(Window::EVERYWHERE),
             }
         };

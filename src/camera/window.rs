@@ -51,11 +51,11 @@ impl Window {
 }
 
 impl Camera {
-    /// The part of the picture in which the convex hull of some points can appear: their images and a
-    /// pixel more on every side, which is far more than rounding can move them. `None` if all of
-    /// them are behind the eye.
+    /// The part of the picture in which the convex hull of some points can appear, which may be `astray` by
+    /// so much: their images and a pixel more on every side, which is far more than rounding can move them.
+    /// `None` if all of them are behind the eye.
     #[must_use]
-    pub fn window(&self, points: impl IntoIterator<Item = DVec3>) -> Option<Window> {
+    pub fn window(&self, points: impl IntoIterator<Item = DVec3>, astray: f64) -> Option<Window> {
         // The window's plane: at depth 1 its lower-left corner is where the camera says.
         let normal = self.right.cross(self.up);
         let unit_depth = self.lower_left.dot(normal);
@@ -69,7 +69,7 @@ impl Camera {
             let depth = way.dot(normal) / unit_depth;
             // What rounding the point and the eye can do to the image.
             let size = (point.abs() + self.viewpoint.abs()).element_sum() + way.length();
-            let blur = 64.0 * UNIT * size * self.stretch() / depth.abs();
+            let blur = (64.0 * UNIT * size + astray) * self.stretch() / depth.abs();
             if blur.is_nan() || blur > 0.25 {
                 return Some(Window::EVERYWHERE);
             }

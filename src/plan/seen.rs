@@ -1,11 +1,12 @@
 //! Which surfaces any ray can meet.
 
+use glam::DVec3;
 use serde::Serialize;
 
-use crate::accel::Sight;
+use crate::accel::{Sight, overhang};
 use crate::camera::Camera;
 use crate::math::band::APART;
-use crate::math::{Flat, Point, Side};
+use crate::math::{Bounds, Flat, Point, Side};
 use crate::scene::{Picture, Scene};
 use crate::surface::Surface;
 
@@ -51,6 +52,7 @@ impl Seen {
             return seen;
         }
         let eye = Point::exact(camera.viewpoint());
+        let boxes: Vec<_> = scene.surfaces.iter().map(|it| met_within(&**it)).collect();
         // The flat surfaces that rays arrive at, and the sides that they arrive from.
         let mut arrivals = Vec::new();
         let mut arrived = vec![[false; 2]; count];
@@ -71,7 +73,7 @@ impl Seen {
         while let Some((from, side)) = arrivals.pop() {
             let sender = &*scene.surfaces[from];
             for (index, surface) in scene.surfaces.iter().enumerate() {
-                let goes = |to: Side| can_go(sender, side, to, &**surface);
+                let goes = |to: Side| can_go(sender, side, to, boxes[index].as_ref());
                 if index == from || !SIDES.into_iter().any(goes) {
                     continue;
                 }
@@ -80,7 +82,8 @@ impl Seen {
                 }
                 for side in SIDES {
                     let flat = surface.flat();
-                    if flat.is_none_or(|flat| !is_beyond(sender, flat, other(side))) {
+                    let sends = boxes[from].as_ref();
+                    if flat.is_none_or(|flat| !is_beyond(sends, flat, other(side))) {
                         arrive(index, side, &mut arrivals);
                     }
                 }
@@ -106,8 +109,18 @@ fn sends_on(surface: &dyn Surface) -> bool {
     surface.common().material.sends_on()
 }
 
-/// Whether a ray that arrives at a surface from one side can go on to one, and meet another surface there.
-fn can_go(sender: &dyn Surface, from: Side, to: Side, surface: &dyn Surface) -> bool {
+/// A box in which a surface is met; `None` if it has no end.
+fn met_within(surface: &dyn Surface) -> Option<Bounds> {
+    let Bounds { min, max } = surface.bounds()?;
+    let beside = DVec3::splat(overhang(surface));
+    Some(Bounds {
+        min: min - beside,
+        max: max + beside,
+    })
+}
+
+/// Whether a ray that arrives at a surface from one side can go on to one, and meet what is in a box there.
+fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -> bool {
     let Some(flat) = sender.flat() else {
         return true;
     };
@@ -117,13 +130,13 @@ fn can_go(sender: &dyn Surface, from: Side, to: Side, surface: &dyn Surface) -> 
     } else {
         material.transparency > 0.0
     };
-    goes && !is_beyond(surface, flat, other(to))
+    goes && !is_beyond(bounds, flat, other(to))
 }
 
-/// Whether all of a surface lies strictly on this side of a plane, for certain: further from it, seen
-/// from anywhere on its way, than rounding can lead a ray astray.
-fn is_beyond(surface: &dyn Surface, flat: &Flat, side: Side) -> bool {
-    let Some(bounds) = surface.bounds() else {
+/// Whether all that is in a box lies strictly on this side of a plane, for certain: further from it, seen
+/// from anywhere on its way, than rounding can lead a ray astray. What has no box is everywhere.
+fn is_beyond(bounds: Option<&Bounds>, flat: &Flat, side: Side) -> bool {
+    let Some(bounds) = bounds else {
         return false;
     };
     let base = Point::exact(flat.point).size();

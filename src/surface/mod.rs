@@ -169,7 +169,8 @@ pub trait Surface: Send + Sync + fmt::Debug {
     fn weld(&mut self, _plane: &Flat, _borders: &[Option<Line>]) {}
 
     /// Completes the hit of a ray that is seen with the colour of the surface's texture, and moves it
-    /// by a rounding at most so that it lies on the texel or tile that the ray meets exactly.
+    /// by no more than it is off so that it lies on the surface, and on the texel or tile that the ray meets
+    /// exactly.
     fn settle(&self, _hit: &mut Hit, _ray: &Ray) {}
 
     /// Where rays first meet the surface, which all start in free space and can meet no other: a

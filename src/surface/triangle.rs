@@ -128,6 +128,25 @@ impl Triangle {
         let around: f64 = self.edges.iter().map(|edge| edge.abs().element_sum()).sum();
         (EXTENT * length + 2.0 * self.slack) * far + (EXTENT * around + self.slack) * length
     }
+
+    /// Moves a point that lies beside the triangle to where it has any part.
+    ///
+    /// Where a ray nearly along the plane crosses it is known less well than that it does so inside.
+    fn hold(&self, point: &mut Point) {
+        let inward = [2, 0, 1].map(|index| {
+            let way = point.from(self.vertices[index]);
+            self.flat.normal.dot(self.edges[index].cross(way))
+        });
+        if inward.iter().all(|inward| *inward >= 0.0) {
+            return;
+        }
+        let shares = inward.map(|inward| inward.max(0.0));
+        let [of_b, of_c, _] = shares.map(|share| share / shares.iter().sum::<f64>());
+        let offset = self.edges[0] * of_b - self.edges[2] * of_c;
+        if offset.is_finite() {
+            point.offset = offset;
+        }
+    }
 }
 
 impl Surface for Triangle {
@@ -181,6 +200,10 @@ impl Surface for Triangle {
 
     fn hull(&self) -> Option<Vec<ExactVector>> {
         Some(self.vertices.map(ExactVector::from).to_vec())
+    }
+
+    fn settle(&self, hit: &mut Hit, _ray: &Ray) {
+        self.hold(&mut hit.point);
     }
 
     fn borders(&self) -> Vec<Line> {
