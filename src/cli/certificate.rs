@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+use super::explanation::counted;
 use crate::film::Film;
 use crate::math::Numerics;
 use crate::render::{Both, Certificate, Counts};
@@ -84,15 +85,15 @@ impl fmt::Display for Report {
                 "certificate\n  \
                  surface tests       {}, at least {} of them by rounded values with proven bounds\n  \
                  other signs         {} exactly, {} by rule\n  \
-                 welded              {} shared planes, {} shared lines, {} apart at most\n  \
+                 welded              {}, {}, {} apart at most\n  \
                  error of a hit      {}\n  \
                  error after mirrors {}",
                 self.decisions,
                 self.by_filter,
                 self.exactly,
                 self.by_rule,
-                self.shared_planes,
-                self.shared_lines,
+                counted(self.shared_planes, "shared plane"),
+                counted(self.shared_lines, "shared line"),
                 Short(self.largest_weld),
                 said(self.largest_error, " at most, in world units"),
                 said(self.largest_bounced_error, ", an estimate"),

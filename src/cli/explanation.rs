@@ -251,7 +251,7 @@ pub(super) fn placed(thing: &Thing, scene: &str) -> String {
 }
 
 /// A number with a noun.
-fn counted(count: usize, noun: &str) -> String {
+pub(super) fn counted(count: usize, noun: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };
     format!("{count} {noun}{ending}")
 }

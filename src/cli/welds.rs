@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::explanation::counted;
 use crate::scene::Scene;
 use crate::surface::{Weld, Welded};
 
@@ -31,7 +32,9 @@ pub(super) fn as_text(scene: &Scene, all: bool) -> String {
     // Writing to a String cannot fail.
     let _ = writeln!(
         text,
-        "  surfaces share {planes} planes and {lines} border lines"
+        "  surfaces share {} and {}",
+        counted(planes, "plane"),
+        counted(lines, "border line")
     );
     for weld in &scene.welds {
         if !all && weld.distance == 0.0 {

@@ -26,7 +26,7 @@ fn a_certificate_says_how_hits_were_decided() {
         // there each tile asks.
         "  surface tests       18, at least 12 of them by rounded values with proven bounds\n",
         "  other signs         0 exactly, 6 by rule\n",
-        "  welded              1 shared planes, 1 shared lines, 0 apart at most\n",
+        "  welded              1 shared plane, 1 shared line, 0 apart at most\n",
         "  error after mirrors 0, an estimate\n",
         "  not finite          0 pixels\n",
     ] {
@@ -85,12 +85,12 @@ fn check_tells_what_is_shared() {
     let run = shell.run(&["check", "tiles.kdl"]).ends_with(0);
     assert_eq!(
         run.stdout_text(),
-        "tiles.kdl: ok\n  surfaces share 1 planes and 1 border lines\n"
+        "tiles.kdl: ok\n  surfaces share 1 plane and 1 border line\n"
     );
     let run = shell.run(&["check", "tiles.kdl", "--verbose"]).ends_with(0);
     assert_eq!(
         run.stdout_text(),
-        "tiles.kdl: ok\n  surfaces share 1 planes and 1 border lines\n  \
+        "tiles.kdl: ok\n  surfaces share 1 plane and 1 border line\n  \
          one plane: finite-plane \"left\", finite-plane \"right\"\n  \
          one line: finite-plane \"left\", finite-plane \"right\"\n"
     );
@@ -139,7 +139,7 @@ fn a_strip_is_not_welded_to_itself() {
     let run = shell.run(&["check", "strip.kdl"]).ends_with(0);
     assert!(
         run.stdout_text()
-            .ends_with("share 1 planes and 0 border lines\n"),
+            .ends_with("share 1 plane and 0 border lines\n"),
         "{}",
         run.stdout_text()
     );
