@@ -46,7 +46,7 @@ pub const DIALS: &[Dial] = &[
     Dial {
         word: "max-error",
         // Less takes more rays, and a reference of more samples still.
-        steps: &["0.08", "0.04", "0.02"],
+        steps: &["0.1", "0.05", "0.025"],
         best: Some("0"),
         by_reference: true,
         ..Dial::PLAIN
