@@ -162,9 +162,5 @@ impl<'a> Plan<'a> {
 
 /// The filter of a scene whose textures it makes a difference to.
 fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
-    let filter = scene.picture.texture_filter;
-    let mut surfaces = scene.surfaces.iter();
-    let called_for =
-        filter != Filter::Nearest && surfaces.any(|surface| surface.texture().is_some());
-    (called_for || scope == Scope::Everything).then_some(filter)
+    (scene.is_filtered() || scope == Scope::Everything).then_some(scene.picture.texture_filter)
 }

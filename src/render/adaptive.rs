@@ -6,7 +6,9 @@ use crate::camera::{Pattern, Places};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
-use crate::scene::Picture;
+use crate::scene::{Picture, Scene};
+use crate::surface::Surface;
+use crate::texture::Filter;
 
 /// Sends rays through pixels until their errors are probably within the picture's `max-error`.
 ///
@@ -14,11 +16,16 @@ use crate::scene::Picture;
 /// says, then half as many more or a third, up to the next power of two, and so on. Whether it goes on
 /// depends on its own rays, on the first ones of the pixels around it, and on the outlines through
 /// it; so a pixel is the same in any part of the picture.
+///
+/// Where a filter shows each ray about what its share of the pixel is, twice as many rays with half the
+/// shares are sent anew, until that makes no difference, too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
     picture: &'a Picture,
     outlines: &'a Outlines,
+    /// Whether a filter shows each ray its share of the pixel, and not exactly.
+    is_rough: bool,
 }
 
 /// About how many rays go through a pixel in which black borders on white, if a picture has these
@@ -43,6 +50,7 @@ impl<'a> Adaptive<'a> {
             tracer,
             picture: &plan.scene.picture,
             outlines: plan.outlines.as_ref()?,
+            is_rough: is_rough(plan.scene),
         })
     }
 
@@ -128,10 +136,21 @@ impl<'a> Adaptive<'a> {
             max_error,
             ..
         } = *self.picture;
-        while tally.count < Picture::MOST_ADAPTIVE && tally.error(around, transfer) > max_error {
-            let size = tally.size();
-            self.send(&mut tally, 2, size, place, probe);
-            tally.put_together();
+        let mut moved = if self.is_rough { f64::MAX } else { 0.0 };
+        while tally.count < Picture::MOST_ADAPTIVE
+            && tally.error(around, transfer).max(moved) > max_error
+        {
+            if self.is_rough {
+                let mut more = tally.begun_anew();
+                self.send(&mut more, 4, tally.count / 2, place, probe);
+                // A filter is off in proportion to the area that it takes in, so this is as much as it is still off.
+                moved = more.moved_from(&tally, transfer);
+                tally = more;
+            } else {
+                let size = tally.size();
+                self.send(&mut tally, 2, size, place, probe);
+                tally.put_together();
+            }
         }
         tally.mean()
     }
@@ -151,13 +170,31 @@ impl<'a> Adaptive<'a> {
         let places = Places::new(Pattern::Sobol, column, row, end);
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
+        let tracer = Tracer {
+            rays: if self.is_rough { end } else { self.tracer.rays },
+            ..self.tracer
+        };
         while tally.count < end {
             let [dx, dy] = places.at(tally.count);
             let seed = Seed::shared(places.seed, tally.count);
-            tally.add(self.tracer.sees_as(x + dx, y + dy, seed, probe));
+            tally.add(tracer.sees_as(x + dx, y + dy, seed, probe));
             if (end - tally.count).is_multiple_of(size) {
                 tally.close_part();
             }
         }
     }
+}
+
+/// Whether more than its share of a pixel can come into the colour of a ray, or less.
+///
+/// The exact filter takes in just the share, unless round mirrors or glass bend it.
+fn is_rough(scene: &Scene) -> bool {
+    let bends = |surface: &dyn Surface| {
+        let material = &surface.common().material;
+        material.sends_on() && (surface.round().is_some() || material.ior.is_some())
+    };
+    let mut surfaces = scene.surfaces.iter();
+    scene.is_filtered()
+        && (scene.picture.texture_filter != Filter::Exact
+            || surfaces.any(|surface| bends(&**surface)))
 }

@@ -17,16 +17,16 @@ impl Tracer<'_> {
     #[cold]
     pub(super) fn beam(&self, x: f64, y: f64) -> Beam {
         let picture = &self.plan.scene.picture;
-        let (pattern, count) = match self.plan.outlines {
-            Some(_) => (Pattern::Sobol, picture.first_rays()),
-            None => (picture.pattern, picture.samples),
+        let pattern = match self.plan.outlines {
+            Some(_) => Pattern::Sobol,
+            None => picture.pattern,
         };
         let pixel = [x, y].map(|place| (place + 0.5).floor());
         let place = [x - pixel[0], y - pixel[1]];
         let share = match self.plan.filter {
             // Which pixel it is does not matter to the cells.
-            Some(Filter::Exact) => Places::new(pattern, 0, 0, count).share(place),
-            _ => Share::around(place, count),
+            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(place),
+            _ => Share::around(place, self.rays),
         };
         let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
         self.plan.camera.beam(middle, share.sides)

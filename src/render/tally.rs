@@ -52,6 +52,24 @@ impl Tally {
         outlined: false,
     };
 
+    /// No rays, of the same pixel.
+    pub(super) fn begun_anew(&self) -> Self {
+        Self {
+            outlined: self.outlined,
+            ..Self::NOTHING
+        }
+    }
+
+    /// How far its mean is from another one's in the worst channel, as it is shown.
+    pub(super) fn moved_from(&self, other: &Self, transfer: Transfer) -> f64 {
+        let (mean, other) = (self.mean().channels(), other.mean().channels());
+        let of_channel = |channel: usize| {
+            let (mean, other): (f64, f64) = (mean[channel], other[channel]);
+            transfer.error(mean, (mean - other).abs())
+        };
+        (0..3).map(of_channel).fold(0.0, f64::max)
+    }
+
     /// Adds what a ray brought to the part that is being filled.
     pub(super) fn add(&mut self, color: Rgb) {
         let part = &mut self.parts[self.filled];

@@ -13,6 +13,8 @@ use super::{Errors, Probe, RayKind, Seed, Turn, Unfollowed};
 #[derive(Debug, Clone, Copy)]
 pub struct Tracer<'a> {
     pub(super) plan: &'a Plan<'a>,
+    /// How many rays go through the pixel, each of which shows a share of it.
+    pub(super) rays: u32,
 }
 
 /// How a ray came to be where it is.
@@ -36,7 +38,12 @@ impl<'a> Tracer<'a> {
     /// A tracer that does what the plan says.
     #[must_use]
     pub fn new(plan: &'a Plan<'a>) -> Self {
-        Self { plan }
+        let picture = &plan.scene.picture;
+        let rays = match plan.outlines {
+            Some(_) => picture.first_rays(),
+            None => picture.samples,
+        };
+        Self { plan, rays }
     }
 
     /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.

@@ -16,7 +16,7 @@ use crate::language::{Node, Schema, Sources};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
 use crate::surface::{self, Surface, Weld};
-use crate::texture::Texture;
+use crate::texture::{Filter, Texture};
 
 /// A scene in which every name is resolved.
 #[derive(Debug)]
@@ -42,6 +42,14 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Whether there are textures of which a ray sees more than the texel that it meets.
+    #[must_use]
+    pub fn is_filtered(&self) -> bool {
+        let mut surfaces = self.surfaces.iter();
+        self.picture.texture_filter != Filter::Nearest
+            && surfaces.any(|surface| surface.texture().is_some())
+    }
+
     /// Every kind of node that a scene may hold, but for `include`, which only files have.
     pub fn schemas() -> impl Iterator<Item = &'static Schema> {
         const PARTS: &[&Schema] = &[

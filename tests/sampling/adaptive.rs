@@ -154,3 +154,33 @@ fn what_is_right_is_what_is_shown() {
     assert!(blind < 0.99, "{blind}");
     assert!(seeing >= 0.995, "{seeing}");
 }
+
+#[test]
+fn what_a_filter_is_off_in_a_round_mirror_is_asked_for_by_twice_as_many_rays() {
+    let rays = |filter: &str, ball: &str| {
+        // Of the texture one texel is seen.
+        let text = format!(
+            r#"
+            image 16 12 max-error=0.0078 texture-filter="{filter}"
+            camera {{ viewpoint 3000 10 3000; look-at 3000 0 2998; field-of-view 20 }}
+            lighting {{ falloff none; view-falloff none }}
+            texture "tile" "textures/tile-128.png"
+            material "flat" {{ ambient 0.5 }}
+            material "silver" {{ ambient 0.5; specular 0.5; shininess 90 }}
+            texture-plane {{
+                material "flat"
+                point -5e5 0 5e5; normal 0 1 0; xdir 1 0 0; dimensions 1e6 1e6
+                texture "tile"
+            }}
+            {ball}
+            "#
+        );
+        let (_, counts) = drawn(&of_text(&text));
+        assert_eq!(counts.camera_rays % (16 * 12), 0);
+        counts.camera_rays / (16 * 12)
+    };
+    let ball = r#"sphere { material "silver"; center 3000 -45 2999; radius 50 }"#;
+    assert_eq!([rays("nearest", ""), rays("nearest", ball)], [4, 4]);
+    assert_eq!([rays("exact", ""), rays("exact", ball)], [4, 4 + 8]);
+    assert_eq!(rays("anisotropic", ""), 4 + 8);
+}
