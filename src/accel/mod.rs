@@ -300,7 +300,8 @@ impl<'a> Entry<'a> {
     }
 
     /// Whether the surface stands between the ends of a segment; `end` is the side of the surface that the
-    /// segment's end is on. `can_hide` tells whether it can hide some of the end from some of what the segment starts on.
+    /// segment's end is on. `can_hide` tells whether it can hide the light there from some part of what
+    /// the segment starts on.
     ///
     /// A start next to the surface's plane inherits its side of it, so it is that of the rays that came
     /// here, which need not be one on which what it lies on has any part. What is proven to hide nothing

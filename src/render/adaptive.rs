@@ -143,7 +143,7 @@ impl<'a> Adaptive<'a> {
             if self.is_rough {
                 let mut more = tally.begun_anew();
                 self.send(&mut more, 4, tally.count / 2, place, probe);
-                // A filter is off in proportion to the area that it takes in, so this is as much as it is still off.
+                // A filter is off in proportion to the area that it takes in, so it is still off by this.
                 moved = more.moved_from(&tally, transfer);
                 tally = more;
             } else {

@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 
 use super::plot::color;
-use super::table::{median, percent};
+use super::table::{figures, percent};
 use super::{Blame, Cost, Law, Measured, pictures};
 use crate::language::Refusal;
 use crate::measure::clock::in_words;
@@ -99,28 +99,15 @@ fn sentence(about: &str, words: &str) -> String {
 
 /// A rung's row of the table.
 fn row((number, rung): (usize, &Measured)) -> String {
-    let deviation = &rung.deviation;
-    let psnr = deviation
-        .psnr
-        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
     let (class, better) = match &rung.dominated_by {
         None => ("on-front", "none".to_owned()),
         Some(better) => ("", escaped(better)),
     };
-    let cells = [
-        rung.cpu.to_string(),
-        median(rung.wall),
-        rung.rays.to_string(),
-        format!("{:.2}", deviation.change.largest),
-        percent(deviation.change.pixels),
-        format!("{:.6}", deviation.rmse),
-        psnr,
-        format!("{:.4}", deviation.ssim),
-        format!("{:.4}", deviation.flip),
-        rung.efficiency
-            .map_or("–".to_owned(), |it| format!("{it:.0}")),
-    ];
-    let cells = cells.map(|cell| format!("<td>{cell}</td>")).concat();
+    let efficiency = rung
+        .efficiency
+        .map_or("–".to_owned(), |it| format!("{it:.0}"));
+    let cells = figures(rung).into_iter().chain([efficiency]);
+    let cells: String = cells.map(|cell| format!("<td>{cell}</td>")).collect();
     format!(
         "<tr class=\"{class}\" data-rung=\"{number}\" tabindex=\"0\"><th><i class=\"{}\"></i>{}</th>\
          {cells}<td>{better}</td></tr>\n",

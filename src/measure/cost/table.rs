@@ -56,22 +56,10 @@ impl Cost {
 
     /// A rung's row.
     fn cells(&self, rung: &Measured) -> [String; COLUMNS.len()] {
-        let deviation = &rung.deviation;
-        let psnr = deviation
-            .psnr
-            .map_or("-".to_owned(), |psnr| format!("{psnr:.1}"));
+        let [cpu, wall, rays, max, off, rmse, psnr, ssim, flip] = figures(rung);
+        let (label, better) = (rung.label.clone(), self.better(rung));
         [
-            rung.label.clone(),
-            rung.cpu.to_string(),
-            median(rung.wall),
-            rung.rays.to_string(),
-            format!("{:.2}", deviation.change.largest),
-            percent(deviation.change.pixels),
-            format!("{:.6}", deviation.rmse),
-            psnr,
-            format!("{:.4}", deviation.ssim),
-            format!("{:.4}", deviation.flip),
-            self.better(rung),
+            label, cpu, wall, rays, max, off, rmse, psnr, ssim, flip, better,
         ]
     }
 
@@ -127,6 +115,25 @@ impl Cost {
             (_, most) => format!("medians of {most} runs on {threads}"),
         }
     }
+}
+
+/// The figures of a rung's row: processor time, time, rays, and how far it is off.
+pub(super) fn figures(rung: &Measured) -> [String; 9] {
+    let deviation = &rung.deviation;
+    let psnr = deviation
+        .psnr
+        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
+    [
+        rung.cpu.to_string(),
+        median(rung.wall),
+        rung.rays.to_string(),
+        format!("{:.2}", deviation.change.largest),
+        percent(deviation.change.pixels),
+        format!("{:.6}", deviation.rmse),
+        psnr,
+        format!("{:.4}", deviation.ssim),
+        format!("{:.4}", deviation.flip),
+    ]
 }
 
 impl Best {
