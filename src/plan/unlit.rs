@@ -34,9 +34,6 @@ impl Unlit {
         if Self::is_behind(light, surface) {
             return Some(Self::Behind);
         }
-        let [_, diffuse] = surface.brightest();
-        let material = &surface.common().material;
-        let answers = diffuse > 0.0 || material.has_glints();
         let passes_by = || match (&light.beam, surface.bounds()) {
             (Beam::Everywhere, _) | (_, None) => false,
             (Beam::Cone(cone), Some(bounds)) => beam::cone_passes_by(light.location, cone, &bounds),
@@ -44,12 +41,23 @@ impl Unlit {
                 beam::slide_passes_by(light.location, &slide.rectangle, &bounds)
             }
         };
+        match Self::by_itself(surface) {
+            _ if light.emissivity.is_black() => Some(Self::Dark),
+            Some(own) => Some(own),
+            None if !is_seen => Some(Self::Unseen),
+            None if passes_by() => Some(Self::OutsideBeam),
+            None => None,
+        }
+    }
+
+    /// The reason that keeps the light of all lights from a surface: nothing could be seen of it.
+    #[must_use]
+    pub fn by_itself(surface: &dyn Surface) -> Option<Self> {
+        let [_, diffuse] = surface.brightest();
+        let material = &surface.common().material;
         match () {
-            () if light.emissivity.is_black() => Some(Self::Dark),
-            () if !answers => Some(Self::Colorless),
+            () if diffuse <= 0.0 && !material.has_glints() => Some(Self::Colorless),
             () if material.transparency == 1.0 => Some(Self::Clear),
-            () if !is_seen => Some(Self::Unseen),
-            () if passes_by() => Some(Self::OutsideBeam),
             () => None,
         }
     }

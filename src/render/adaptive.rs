@@ -1,13 +1,12 @@
 //! As many rays through each pixel as its error asks for.
 
-use super::tally::{BORDER, Colors, Tally};
+use super::tally::{Around, BORDER, Found, Tally};
 use super::{Both, Probe, Seed, Tracer, watch::Watch};
 use crate::camera::{Pattern, Places};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
-use crate::scene::{Picture, Scene};
-use crate::surface::Surface;
+use crate::scene::Picture;
 use crate::texture::Filter;
 
 /// Sends rays through pixels until their errors are probably within the picture's `max-error`.
@@ -17,15 +16,17 @@ use crate::texture::Filter;
 /// depends on its own rays, on the first ones of the pixels around it, and on the outlines through
 /// it; so a pixel is the same in any part of the picture.
 ///
-/// Where a filter shows each ray about what its share of the pixel is, twice as many rays with half the
-/// shares are sent anew, until that makes no difference, too.
+/// Where a filter shows each ray its share of a pixel, rays with smaller shares are sent anew, until that
+/// makes no difference: no filter is exact everywhere, and it may be off alike for all rays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
     picture: &'a Picture,
     outlines: &'a Outlines,
-    /// Whether a filter shows each ray its share of the pixel, and not exactly.
-    is_rough: bool,
+    /// What it looks for in a pixel.
+    watch: Watch<'a>,
+    /// `None` if each ray shows one place.
+    filter: Option<Filter>,
 }
 
 /// About how many rays go through a pixel in which black borders on white, if a picture has these
@@ -46,11 +47,13 @@ pub fn rays_at_a_border(picture: &Picture) -> u32 {
 impl<'a> Adaptive<'a> {
     /// `None` if the picture asks for the same number of rays everywhere.
     pub(super) fn new(tracer: Tracer<'a>, plan: &'a Plan<'a>) -> Option<Self> {
+        let is_filtered = plan.scene.is_filtered();
         Some(Self {
             tracer,
             picture: &plan.scene.picture,
             outlines: plan.outlines.as_ref()?,
-            is_rough: is_rough(plan.scene),
+            watch: Watch::new(plan),
+            filter: is_filtered.then_some(plan.scene.picture.texture_filter),
         })
     }
 
@@ -89,7 +92,7 @@ impl<'a> Adaptive<'a> {
         for place in part.places() {
             let own = *pilot(place);
             let around = Region::around(place, size).places().map(pilot);
-            let around = around.fold(own.range, |all, it| all.and(it.range));
+            let around = around.fold(Around::of(&own), |all, it| all.and(Around::of(it)));
             paint(place, self.refined(own, around, place, probe));
         }
     }
@@ -102,7 +105,7 @@ impl<'a> Adaptive<'a> {
         let own = self.pilot(place, outlines.nearest(place), probe);
         let others = wide.places().filter(|other| *other != place);
         let others = others.map(|other| self.pilot(other, outlines.nearest(other), &mut ()));
-        let around = others.fold(own.range, |all, it| all.and(it.range));
+        let around = others.fold(Around::of(&own), |all, it| all.and(Around::of(&it)));
         self.refined(own, around, place, probe)
     }
 
@@ -112,11 +115,9 @@ impl<'a> Adaptive<'a> {
         const NEAR: f64 = 1.0 + 1.0 / 64.0;
         let count = self.picture.first_rays();
         let mut tally = Tally::NOTHING;
-        if outline.is_finite() {
-            let onlooker: &mut dyn Probe = probe;
-            let mut both = Both(onlooker, Watch::new(&self.tracer.plan.camera));
-            self.send(&mut tally, 4, count / 4, place, &mut both);
-            tally.outlined = outline <= both.1.farthest() * NEAR;
+        if outline.is_finite() || self.filter.is_some() {
+            let watch = self.send_watched(&mut tally, 4, count / 4, place, probe);
+            tally.outlined = outline <= watch.farthest() * NEAR;
         } else {
             self.send(&mut tally, 4, count / 4, place, probe);
         }
@@ -127,7 +128,7 @@ impl<'a> Adaptive<'a> {
     fn refined(
         &self,
         mut tally: Tally,
-        around: Colors,
+        around: Around,
         place: [usize; 2],
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -136,23 +137,70 @@ impl<'a> Adaptive<'a> {
             max_error,
             ..
         } = *self.picture;
-        let mut moved = if self.is_rough { f64::MAX } else { 0.0 };
-        while tally.count < Picture::MOST_ADAPTIVE
-            && tally.error(around, transfer).max(moved) > max_error
-        {
-            if self.is_rough {
-                let mut more = tally.begun_anew();
-                self.send(&mut more, 4, tally.count / 2, place, probe);
-                // A filter is off in proportion to the area that it takes in, so it is still off by this.
-                moved = more.moved_from(&tally, transfer);
-                tally = more;
+        // Where a filter is not exact, nobody knows how far it is off before it was asked twice.
+        let mut moved = if tally.is_exact { 0.0 } else { f64::MAX };
+        loop {
+            let error = tally.error(around, transfer).max(moved);
+            if error <= max_error || tally.count >= Picture::MOST_ADAPTIVE {
+                return tally.mean();
+            }
+            if self.filter.is_some() {
+                let smaller = self.with_smaller_shares(&tally, error, place, probe);
+                // It is off in proportion to the sides of its shares at worst.
+                let times = f64::from(smaller.count) / f64::from(tally.count);
+                moved = smaller.moved_from(&tally, transfer) / (times.sqrt() - 1.0);
+                tally = smaller;
             } else {
                 let size = tally.size();
                 self.send(&mut tally, 2, size, place, probe);
                 tally.put_together();
             }
         }
-        tally.mean()
+    }
+
+    /// Two or four times as many rays, all sent anew, by how far off the pixel is.
+    ///
+    /// Large shares take long, so few steps are better than small ones.
+    fn with_smaller_shares(
+        &self,
+        tally: &Tally,
+        error: f64,
+        place: [usize; 2],
+        probe: &mut impl Probe,
+    ) -> Tally {
+        // What twice as many rays make of an error at a border.
+        const LESS: f64 = 0.594_603_557_501_360_5; // 2^(-3/4)
+        let is_near = error * LESS <= self.picture.max_error;
+        let times = if is_near { 2 } else { 4 };
+        let count = (tally.count * times).min(Picture::MOST_ADAPTIVE);
+        let mut more = Tally::NOTHING;
+        more.outlined = tally.outlined;
+        self.send_watched(&mut more, 4, count / 4, place, probe);
+        more
+    }
+
+    /// Sends rays as [`send`](Self::send), and tells what they met.
+    fn send_watched(
+        &self,
+        tally: &mut Tally,
+        parts: u32,
+        size: u32,
+        place: [usize; 2],
+        probe: &mut impl Probe,
+    ) -> Watch<'a> {
+        let onlooker: &mut dyn Probe = probe;
+        let mut both = Both(onlooker, self.watch);
+        self.send(tally, parts, size, place, &mut both);
+        let watch = both.1;
+        match self.filter {
+            None => {}
+            Some(Filter::Exact) => {
+                tally.found = watch.path().map_or(Found::Borders, Found::One);
+                tally.is_exact = watch.is_exact();
+            }
+            Some(_) => tally.is_exact = false,
+        }
+        watch
     }
 
     /// Sends so many parts of so many rays each through a pixel.
@@ -171,7 +219,7 @@ impl<'a> Adaptive<'a> {
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
         let tracer = Tracer {
-            rays: if self.is_rough { end } else { self.tracer.rays },
+            rays: end,
             ..self.tracer
         };
         while tally.count < end {
@@ -183,18 +231,4 @@ impl<'a> Adaptive<'a> {
             }
         }
     }
-}
-
-/// Whether more than its share of a pixel can come into the colour of a ray, or less.
-///
-/// The exact filter takes in just the share, unless round mirrors or glass bend it.
-fn is_rough(scene: &Scene) -> bool {
-    let bends = |surface: &dyn Surface| {
-        let material = &surface.common().material;
-        material.sends_on() && (surface.round().is_some() || material.ior.is_some())
-    };
-    let mut surfaces = scene.surfaces.iter();
-    scene.is_filtered()
-        && (scene.picture.texture_filter != Filter::Exact
-            || surfaces.any(|surface| bends(&**surface)))
 }

@@ -16,6 +16,17 @@ const SPREAD: f64 = 1.3;
 /// error counts twice.
 const FEW: f64 = 16.0;
 
+/// What the rays of a pixel found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Found {
+    /// Images, which vary anywhere.
+    Images,
+    /// Things with borders between them. Images have a filter that shows each ray its share of the pixel.
+    Borders,
+    /// All the same, for which this number stands; each shows its share of it.
+    One(u64),
+}
+
 /// What the rays of a pixel have brought.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tally {
@@ -29,9 +40,13 @@ pub(super) struct Tally {
     /// The sum of the squares of all colours.
     squares: Rgb,
     /// What colours there are.
-    pub(super) range: Colors,
+    range: Colors,
     /// Whether an outline runs through the pixel that is not well behind all that the first rays met.
     pub(super) outlined: bool,
+    /// What its rays found.
+    pub(super) found: Found,
+    /// Whether no filter can be off for any of them.
+    pub(super) is_exact: bool,
 }
 
 /// The darkest and the brightest of each channel of some colours.
@@ -39,6 +54,34 @@ pub(super) struct Tally {
 pub(super) struct Colors {
     low: Rgb,
     high: Rgb,
+}
+
+/// What the first rays of a pixel and of those around it have seen.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Around {
+    range: Colors,
+    found: Found,
+}
+
+impl Around {
+    /// What one pixel's rays have seen.
+    pub(super) fn of(tally: &Tally) -> Self {
+        Self {
+            range: tally.range,
+            found: tally.found,
+        }
+    }
+
+    /// What both have seen.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            range: self.range.and(other.range),
+            found: match self.found {
+                Found::One(_) if other.found != self.found => Found::Borders,
+                found => found,
+            },
+        }
+    }
 }
 
 impl Tally {
@@ -50,15 +93,9 @@ impl Tally {
         squares: Rgb::BLACK,
         range: Colors::NONE,
         outlined: false,
+        found: Found::Images,
+        is_exact: true,
     };
-
-    /// No rays, of the same pixel.
-    pub(super) fn begun_anew(&self) -> Self {
-        Self {
-            outlined: self.outlined,
-            ..Self::NOTHING
-        }
-    }
 
     /// How far its mean is from another one's in the worst channel, as it is shown.
     pub(super) fn moved_from(&self, other: &Self, transfer: Transfer) -> f64 {
@@ -115,8 +152,9 @@ impl Tally {
         sum / f64::from(self.count)
     }
 
-    /// How far off the mean probably is in its worst channel, as it is shown.
-    pub(super) fn error(&self, around: Colors, transfer: Transfer) -> f64 {
+    /// How far off the mean probably is in its worst channel, as it is shown, for all that its rays
+    /// and those around can tell. What filters are off they cannot.
+    pub(super) fn error(&self, around: Around, transfer: Transfer) -> f64 {
         let count = f64::from(self.count);
         let border = BORDER / (count.sqrt() * count.sqrt().sqrt());
         let mean = self.mean().channels();
@@ -125,7 +163,12 @@ impl Tally {
         let size = f64::from(self.size());
         #[expect(clippy::cast_precision_loss, reason = "eight at most")]
         let pairs = (parts.len() * (parts.len() - 1)) as f64;
-        let (own, around) = (self.range.width(), around.width());
+        let own = self.range.width();
+        let around = match around.found {
+            // There are no other colours than those of its own shares.
+            Found::One(_) => own,
+            _ => around.range.width(),
+        };
         let of_channel = |channel: usize| {
             let (own, around, mean) = (own[channel], around[channel], mean[channel]);
             // A border that cuts off a corner only is short: its error is between the difference of
@@ -137,7 +180,11 @@ impl Tally {
                 .map(|part| part.channels()[channel] / size - mean);
             let spread = off.map(|off| off * off).sum::<f64>() / pairs;
             let spread = spread * (1.0 + FEW / count);
-            let seen = (border * border + SPREAD * SPREAD * spread).sqrt();
+            let seen = match self.found {
+                Found::Images => (border * border + SPREAD * SPREAD * spread).sqrt(),
+                Found::Borders => border,
+                Found::One(_) => 0.0,
+            };
             // What no ray has met has about the share of one ray: a colour of the pixels around,
             // or black before white if an outline promises that there is something.
             let known = if self.outlined {

@@ -64,7 +64,7 @@ impl Maker {
     }
 
     fn head(&mut self) {
-        let samples = self.random.pick(&["", "", " samples=2"]);
+        let samples = self.random.pick(&["", "", " samples=2", " max-error=0.02"]);
         let cut_off = self
             .random
             .pick(&["", "", " cut-off=0.05", " cut-off=0.00001"]);

@@ -156,7 +156,7 @@ fn what_is_right_is_what_is_shown() {
 }
 
 #[test]
-fn what_a_filter_is_off_in_a_round_mirror_is_asked_for_by_twice_as_many_rays() {
+fn what_a_filter_is_off_in_a_round_mirror_is_asked_for_by_smaller_shares() {
     let rays = |filter: &str, ball: &str| {
         // Of the texture one texel is seen.
         let text = format!(
@@ -181,6 +181,50 @@ fn what_a_filter_is_off_in_a_round_mirror_is_asked_for_by_twice_as_many_rays() {
     };
     let ball = r#"sphere { material "silver"; center 3000 -45 2999; radius 50 }"#;
     assert_eq!([rays("nearest", ""), rays("nearest", ball)], [4, 4]);
-    assert_eq!([rays("exact", ""), rays("exact", ball)], [4, 4 + 8]);
-    assert_eq!(rays("anisotropic", ""), 4 + 8);
+    assert_eq!([rays("exact", ""), rays("exact", ball)], [4, 4 + 16]);
+    assert_eq!(rays("anisotropic", ""), 4 + 16);
+}
+
+/// A floor of tiles that are finer than the pixels, and what stands above it.
+fn floor(above: &str) -> Scene {
+    of_text(&format!(
+        r#"
+        image 24 18 max-error=0.0078 texture-filter="exact"
+        camera {{ viewpoint 0 9 9; look-at 0 0 0; field-of-view 40 }}
+        lighting {{ falloff none; view-falloff none }}
+        texture "tile" "textures/tile-128.png"
+        material "tile" {{ ambient 0.2; diffuse 0.7 }}
+        material "chalk" {{ ambient 0.3 }}
+        material "pane" {{ ambient 0.1; transparency 0.6 }}
+        light {{ location 0 60 0; emissivity 1 }}
+        texture-plane {{
+            material "tile"
+            point -50 0 50; normal 0 1 0; xdir 1 0 0; dimensions 100 100
+            texture "tile" mode="repeat" texel=0.0078125
+        }}
+        {above}
+        "#
+    ))
+}
+
+#[test]
+fn an_image_with_the_exact_filter_takes_rays_only_at_borders() {
+    let rays = |above: &str| drawn(&floor(above)).1.camera_rays / (24 * 18);
+    assert_eq!(rays(""), 4, "whatever the tiles are like next to a pixel");
+    // What casts the shadows is behind the eye.
+    for border in [
+        r#"finite-plane { material "chalk"; point -1 20 1; normal 0 1 0; xdir 4 0 3; dimensions 1.5 1 }"#,
+        r#"finite-plane { material "pane"; point -1 20 1; normal 0 1 0; xdir 4 0 3; dimensions 1.5 1 }"#,
+        r#"tiled-plane { material "chalk"; alternate "pane"; point -1 0.1 1; normal 0 1 0; xdir 4 0 3; dimensions 30 20 }"#,
+    ] {
+        let (film, counts) = drawn(&floor(border));
+        let mean = counts.camera_rays / (24 * 18);
+        assert!((5..100).contains(&mean), "{border}: {mean}");
+        let mut even = floor(border);
+        even.picture.max_error = 0.0;
+        even.picture.samples = 4096;
+        let errors = errors(&film, &drawn(&even).0);
+        let share = share_within(&errors, 2.0 / 255.0);
+        assert!(share >= 0.995, "{border}: {share}");
+    }
 }
