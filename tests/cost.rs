@@ -145,6 +145,35 @@ fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
 }
 
 #[test]
+fn a_step_of_a_dial_has_the_word_of_that_dial() {
+    for (rounding, others) in [("round", "truncate"), ("truncate", "round")] {
+        let image = format!("image 32 24 quantize=\"{rounding}\"");
+        let mut scene = scene(&SCENE.replace("image 32 24", &image));
+        let effects = effects_of(&scene).expect("a possible camera");
+        let ladder = Ladder::of(scene.picture, &effects);
+        let cost = cost(&mut scene, &ladder, None, 1, false, &|_, _| ()).expect("a cost");
+        let words = cost.words();
+        for expected in [
+            "\npattern: by itself stratified errs by ",
+            &format!("\nquantize: by itself {rounding} errs by "),
+            &format!(" ms, {others} errs by "),
+            "\nnumerics: by itself robust errs by ",
+            "\npattern=random errs most ",
+            "\nquantize=truncate errs most ",
+        ] {
+            assert!(words.contains(expected), "{expected:?} in\n{words}");
+        }
+        let by_itself = words.lines().filter(|line| line.contains("by itself"));
+        for line in by_itself {
+            assert!(!line.contains("as it is") && !line.contains('='), "{line}");
+        }
+        let plot = cost.plot();
+        let both = "samples=16\nalso pattern=stratified\n";
+        assert!(plot.contains(both), "{plot}");
+    }
+}
+
+#[test]
 fn the_cheapest_and_the_best_within_a_time_are_named() {
     let cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let cheapest = |text| cost.cheapest(Limit::new(text).expect("a limit")).label;

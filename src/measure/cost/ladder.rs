@@ -2,7 +2,7 @@
 
 use super::Dial;
 use crate::film::{Depth, Rounding};
-use crate::language::Refusal;
+use crate::language::{Refusal, Value};
 use crate::plan::Effect;
 use crate::scene::{Picture, Setting};
 
@@ -165,6 +165,12 @@ impl Rung {
         let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
         dials.flatten().any(|dial| dial.in_writing)
     }
+
+    /// Whether it is a step of a dial, alone or beside what else is set.
+    pub(super) fn turns(&self, dial: &Dial) -> bool {
+        let mut turned = self.dial.iter().chain(&self.also);
+        turned.any(|turned| *turned == dial.word)
+    }
 }
 
 /// The variations, of each dial one.
@@ -195,10 +201,15 @@ fn seen(picture: Picture) -> Picture {
 /// The settings as they are given, such as `samples=4 numerics=classic`.
 fn label(settings: &[Setting]) -> String {
     let words = settings.iter().map(|setting| {
-        let value = setting.value().to_string();
-        format!("{}={}", setting.word(), value.trim_matches('"'))
+        let value = in_words(setting.value());
+        format!("{}={value}", setting.word())
     });
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// What a dial is turned to, as it is given.
+pub(super) fn in_words(value: &Value) -> String {
+    value.to_string().trim_matches('"').to_owned()
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ impl Cost {
             "why" => escaped(&self.recommended.why),
             "laws" => {
                 let law = |law: &Law| sentence(law.dial, &law.words(&self.rungs));
-                let blame = |blame: &Blame| sentence(&blame.rung, &blame.words());
+                let blame = |blame: &Blame| sentence(&blame.setting(), &blame.words());
                 let laws = self.laws.iter().map(law);
                 laws.chain(self.blames.iter().map(blame)).collect()
             }

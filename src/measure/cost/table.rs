@@ -3,7 +3,6 @@
 use std::fmt;
 use std::fmt::Write;
 
-use super::plot::name;
 use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
 use crate::measure::Timing;
 use crate::measure::clock::in_words;
@@ -149,7 +148,7 @@ impl Law {
     /// The law as a sentence.
     #[must_use]
     pub fn words(&self, rungs: &[Measured]) -> String {
-        let (dial, best) = (self.dial, &self.most_accurate);
+        let dial = self.dial;
         match self.trade {
             Trade::Power {
                 of_time,
@@ -160,7 +159,10 @@ impl Law {
                  the power of {of_time:.2}, and with {dial} to that of {of_value:.2}"
             ),
             Trade::Free => {
-                format!("{dial}: its steps buy no accuracy for time; the most accurate is {best:?}")
+                let best = rungs.iter().find(|rung| rung.label == self.most_accurate);
+                let step = best.and_then(|rung| rung.own(dial));
+                let step = step.map_or("", |own| &own.step);
+                format!("{dial}: its steps buy no accuracy for time; the most accurate is {step}")
             }
             Trade::Words => {
                 let steps = rungs.iter().filter_map(|rung| {
@@ -170,12 +172,7 @@ impl Law {
                         error => format!("{error:.6}"),
                     };
                     let time = in_words(rung.cpu.median);
-                    let step = if rung.dial == Some(dial) {
-                        name(rung)
-                    } else {
-                        rung.label.clone()
-                    };
-                    Some(format!("{step} errs by {error} in {time}"))
+                    Some(format!("{} errs by {error} in {time}", own.step))
                 });
                 let steps: Vec<_> = steps.collect();
                 format!("{dial}: by itself {}", steps.join(", "))
@@ -185,10 +182,15 @@ impl Law {
 }
 
 impl Blame {
+    /// What the dial is turned to where it errs, such as `samples=1`.
+    pub(super) fn setting(&self) -> String {
+        format!("{}={}", self.dial, self.step)
+    }
+
     /// Where the dial errs as a sentence.
     #[must_use]
     pub fn words(&self) -> String {
-        let mut text = format!("{} errs most", self.rung);
+        let mut text = format!("{} errs most", self.setting());
         let spots = self
             .spots
             .iter()
