@@ -408,6 +408,42 @@ fn json_csv_plot_and_page_have_every_rung() {
 }
 
 #[test]
+fn the_page_answers_what_the_terminal_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = [
+        "--vary",
+        "max-error=0.1,0.05",
+        "--target",
+        "max=0",
+        "--budget",
+        "500s",
+        "--report",
+        "it.html",
+    ];
+    let output = run(&folder, &arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).expect("text");
+    let page = std::fs::read_to_string(folder.path().join("it.html")).expect("a page");
+    let (_, advice) = page.split_once("<dl class=\"advice\">\n").expect("a list");
+    let (advice, _) = advice.split_once("</dl>").expect("its end");
+    // What a reader sees: the text between tags, in which numbers and units stay in one line.
+    let texts = advice
+        .split('<')
+        .filter_map(|part| Some(part.split_once('>')?.1));
+    let seen = texts.collect::<String>().replace('\u{a0}', " ");
+    for word in ["recommended", "target", "budget"] {
+        let said = text
+            .lines()
+            .find(|line| line.starts_with(&format!("{word}: ")));
+        let (_, answer) = said.expect(word).split_once(": ").expect("a sentence");
+        let (label, why) = answer.split_once("; ").expect("a reason");
+        assert!(seen.contains(&format!("{word}{label} {why}\n")), "{seen}");
+    }
+    assert!(advice.contains("<dt>target</dt><dd><strong class=\"none\">none</strong>"));
+    assert!(advice.contains("<dt>budget</dt><dd><strong data-rung=\""));
+}
+
+#[test]
 fn a_table_a_plot_and_words_on_the_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let output = run(&folder, &["--vary", "samples=4", "--target", "max=0"]);

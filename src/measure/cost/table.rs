@@ -139,8 +139,12 @@ impl Best {
     /// The rung and why, after a word for it.
     #[must_use]
     pub fn words(&self, title: &str) -> String {
-        let label = self.label.as_deref().unwrap_or("none");
-        format!("{title}: {label}; {}", self.why)
+        format!("{title}: {}; {}", self.title(), self.why)
+    }
+
+    /// The rung's label, or that there is none.
+    pub(super) fn title(&self) -> &str {
+        self.label.as_deref().unwrap_or("none")
     }
 }
 
