@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-use heliodon::measure::{Cost, Ladder, Limit, Reference, Variation, cost, effects_of};
+use heliodon::measure::{Cost, Ladder, Limit, Reference, Timing, Variation, cost, effects_of};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
 use heliodon::scene::Scene;
@@ -129,18 +129,95 @@ fn what_max_error_adds_is_compared_with_more() {
 #[test]
 fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
-    let better = [Some("samples=64"), None, Some("nothing in the table")];
+    let better = [Some("samples=64"), None, Some("samples=4")];
     for (rung, better) in cost.rungs.iter_mut().zip(better) {
         rung.dominated_by = better.map(str::to_owned);
     }
     let rows = cost.rows();
     let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
     let text = rows[0].iter().collect::<String>();
-    let place = text.find("better is").expect("a column");
-    for (row, expected) in rows[1..].iter().zip(["c", "none", "nothing in the table"]) {
+    let place = text.find("better").expect("a column");
+    // The first two rows are heads.
+    for (row, expected) in rows[2..].iter().zip(["c", "none", "b"]) {
         let text: String = row[place - 2..].iter().collect();
         assert_eq!(text, format!("  {expected}"));
         assert!(row[place - 3].is_ascii_digit(), "FLIP: {row:?}");
+    }
+}
+
+#[test]
+fn the_table_fits_into_eighty_columns() {
+    let grid = [
+        "samples=1,4,6,9",
+        "texture-filter=nearest,bilinear,anisotropic,exact",
+        "cut-off=1,0.016",
+        "numerics=classic-f32,robust",
+    ];
+    let grid = grid.map(|text| Variation::new(text).expect("a variation"));
+    let mut room = room();
+    room.picture.width = 20;
+    room.picture.height = 15;
+    let effects = effects_of(&room).expect("a possible camera");
+    let each = Ladder::of(room.picture, &effects);
+    let all = Ladder::of_all(room.picture, &grid).expect("a ladder");
+    for (ladder, lines) in [(each, 1), (all, 2)] {
+        let cost = cost(&mut room, &ladder, None, 2, false, &|_, _| ()).expect("a cost");
+        let rows = cost.rows();
+        let rows: Vec<_> = rows.lines().collect();
+        assert_eq!(
+            rows.len(),
+            2 + 1 + lines * (ladder.0.len() - 1),
+            "{rows:#?}"
+        );
+        for row in &rows {
+            assert!(row.chars().count() <= 80 && row.trim_end() == *row, "{row}");
+        }
+        // Each label is whole, and each rung has a name of its own.
+        let named = rows
+            .iter()
+            .filter(|row| row.contains('=') || row.contains("as it is"));
+        let mut names: Vec<_> = named.filter_map(|row| row.split(' ').next()).collect();
+        for rung in &ladder.0 {
+            assert!(
+                rows.iter().any(|row| row.contains(&rung.label)),
+                "{rows:#?}"
+            );
+        }
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ladder.0.len(), "{names:?}");
+    }
+}
+
+#[test]
+fn no_time_is_told_as_none() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4"], 1);
+    let shown = ["12.3", "24.7"];
+    for (seconds, unit, on_page) in [
+        (0.000_012_34, "µs", "0.0123 ± 0.0002 ms"),
+        (0.012_34, "ms", "12.3 ± 0.2 ms"),
+        (12.34, "s", "12340 ± 247 ms"),
+    ] {
+        for (rung, factor) in cost.rungs.iter_mut().zip([1.0, 2.0]) {
+            rung.cpu = Timing {
+                median: factor * seconds,
+                deviation: Some(0.02 * seconds),
+            };
+            rung.wall = rung.cpu;
+        }
+        let rows = cost.rows();
+        let words: Vec<Vec<_>> = rows
+            .lines()
+            .map(|row| row.split_whitespace().collect())
+            .collect();
+        assert_eq!(words[1][..2], [unit; 2], "{rows}");
+        assert_eq!(words[2][4..6], [shown[0]; 2], "{rows}");
+        assert_eq!(words[3][2..4], [shown[1]; 2], "{rows}");
+        let page = cost.page("it", &[]).expect("a page");
+        assert!(
+            page.contains(&format!("<td>{on_page}</td>")),
+            "{on_page} in\n{page}"
+        );
     }
 }
 
@@ -450,9 +527,9 @@ fn a_table_a_plot_and_words_on_the_terminal() {
     let text = String::from_utf8(output.stdout).expect("text");
     for words in [
         "scene.kdl, 32x24, one run on",
-        "  SSIM    FLIP  better is\n",
-        "\n  a as it is",
-        "\n  b samples=4",
+        "  RMSE    FLIP  better\n",
+        "\na as it is ",
+        "\nb samples=4 ",
         "RMSE\n",
         "\nrecommended: ",
         "\nsamples: ",

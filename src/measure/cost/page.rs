@@ -5,9 +5,10 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 
 use super::plot::color;
-use super::table::{figures, percent};
+use super::words::percent;
 use super::{Best, Blame, Cost, Law, Measured, pictures};
 use crate::language::Refusal;
+use crate::measure::Timing;
 use crate::measure::clock::in_words;
 use crate::measure::plot::{STYLE, escaped};
 
@@ -26,7 +27,7 @@ impl Cost {
             "scene" => escaped(scene),
             "size" => format!("{width} × {height}"),
             "aspect" => format!("{width} / {height}"),
-            "runs" => escaped(&self.runs_words()),
+            "runs" => unbroken(&self.runs_words()),
             "reference" => unbroken(&self.reference_words()),
             "advice" => {
                 let answers = answers.iter().map(|(word, best)| self.answer(word, best));
@@ -148,6 +149,29 @@ fn row((number, rung): (usize, &Measured)) -> String {
         color(rung.dial),
         escaped(&rung.label),
     )
+}
+
+/// The figures of a rung's row: processor time, time, rays, and how far it is off.
+fn figures(rung: &Measured) -> [String; 9] {
+    let deviation = &rung.deviation;
+    let wall = Timing {
+        deviation: None,
+        ..rung.wall
+    };
+    let psnr = deviation
+        .psnr
+        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
+    [
+        rung.cpu.to_string(),
+        wall.to_string(),
+        rung.rays.to_string(),
+        format!("{:.2}", deviation.change.largest),
+        percent(deviation.change.pixels),
+        format!("{:.6}", deviation.rmse),
+        psnr,
+        format!("{:.4}", deviation.ssim),
+        format!("{:.4}", deviation.flip),
+    ]
 }
 
 /// A file within an address.

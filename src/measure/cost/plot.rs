@@ -1,6 +1,6 @@
 //! Error against time as a drawing.
 
-use super::table::percent;
+use super::words::percent;
 use super::{Cost, DIALS, Measured};
 use crate::measure::clock::in_words;
 use crate::measure::plot::{Axis, Frame, HUES, Labels, STYLE, Svg, number, seconds};
