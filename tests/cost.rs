@@ -4,10 +4,12 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
+use heliodon::camera::Pattern;
 use heliodon::measure::{Cost, Ladder, Limit, Reference, Timing, Variation, cost, effects_of};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
-use heliodon::scene::Scene;
+use heliodon::scene::{Picture, Scene};
+use heliodon::texture::Filter;
 use rayon::ThreadPoolBuilder;
 
 const SCENE: &str = r#"
@@ -325,6 +327,46 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
         let largest = |rung: usize| cost.rungs[rung].deviation.change.largest;
         assert!((largest(1) - largest(3)).abs() <= 0.5 + 1e-9);
         assert!((largest(2) - largest(3)).abs() <= 0.5 / 257.0 + 1e-9);
+    }
+}
+
+#[test]
+fn a_pattern_means_nothing_to_one_ray_and_to_those_that_max_error_adds() {
+    let drawn = |file: &str, picture: &dyn Fn(Picture) -> Picture| {
+        let options = Options {
+            size: Some([24, 18]),
+            ..Options::default()
+        };
+        let reading = read_file(file.as_ref(), &options).expect("a file");
+        let mut scene = reading.expect("a scene").scene;
+        scene.picture = picture(scene.picture);
+        render(&scene, &|_| ()).expect("a picture")
+    };
+    for file in ["room", "lamp-room", "horizon", "glass-ball"] {
+        let file = format!("scenes/{file}.kdl");
+        for filter in [Filter::Nearest, Filter::Anisotropic, Filter::Exact] {
+            for (max_error, patterns) in [
+                (0.0, &Pattern::ALL[..]),
+                (0.2, &[Pattern::Stratified, Pattern::Sobol]),
+            ] {
+                let with = |pattern: Pattern| {
+                    drawn(&file, &|picture| Picture {
+                        samples: 1,
+                        texture_filter: filter,
+                        max_error,
+                        pattern,
+                        ..picture
+                    })
+                };
+                let (first, first_counts) = with(patterns[0]);
+                for pattern in &patterns[1..] {
+                    let (film, counts) = with(*pattern);
+                    let place = format!("{file} {filter:?} {max_error} {pattern:?}");
+                    assert!(film.pixels() == first.pixels(), "{place}");
+                    assert_eq!(counts, first_counts, "{place}");
+                }
+            }
+        }
     }
 }
 
