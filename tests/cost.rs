@@ -4,10 +4,12 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-use heliodon::measure::{Cost, Ladder, Limit, Reference, Variation, cost, effects_of};
+use heliodon::camera::Pattern;
+use heliodon::measure::{Cost, Ladder, Limit, Reference, Timing, Variation, cost, effects_of};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
-use heliodon::scene::Scene;
+use heliodon::scene::{Picture, Scene};
+use heliodon::texture::Filter;
 use rayon::ThreadPoolBuilder;
 
 const SCENE: &str = r#"
@@ -129,18 +131,124 @@ fn what_max_error_adds_is_compared_with_more() {
 #[test]
 fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
-    let better = [Some("samples=64"), None, Some("nothing in the table")];
+    let better = [Some("samples=64"), None, Some("samples=4")];
     for (rung, better) in cost.rungs.iter_mut().zip(better) {
         rung.dominated_by = better.map(str::to_owned);
     }
     let rows = cost.rows();
     let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
     let text = rows[0].iter().collect::<String>();
-    let place = text.find("better is").expect("a column");
-    for (row, expected) in rows[1..].iter().zip(["c", "none", "nothing in the table"]) {
+    let place = text.find("better").expect("a column");
+    // The first two rows are heads.
+    for (row, expected) in rows[2..].iter().zip(["c", "none", "b"]) {
         let text: String = row[place - 2..].iter().collect();
         assert_eq!(text, format!("  {expected}"));
         assert!(row[place - 3].is_ascii_digit(), "FLIP: {row:?}");
+    }
+}
+
+#[test]
+fn the_table_fits_into_eighty_columns() {
+    let grid = [
+        "samples=1,4,6,9",
+        "texture-filter=nearest,bilinear,anisotropic,exact",
+        "cut-off=1,0.016",
+        "numerics=classic-f32,robust",
+    ];
+    let grid = grid.map(|text| Variation::new(text).expect("a variation"));
+    let mut room = room();
+    room.picture.width = 20;
+    room.picture.height = 15;
+    let effects = effects_of(&room).expect("a possible camera");
+    let each = Ladder::of(room.picture, &effects);
+    let all = Ladder::of_all(room.picture, &grid).expect("a ladder");
+    for (ladder, lines) in [(each, 1), (all, 2)] {
+        let cost = cost(&mut room, &ladder, None, 2, false, &|_, _| ()).expect("a cost");
+        let rows = cost.rows();
+        let rows: Vec<_> = rows.lines().collect();
+        assert_eq!(
+            rows.len(),
+            2 + 1 + lines * (ladder.0.len() - 1),
+            "{rows:#?}"
+        );
+        for row in &rows {
+            assert!(row.chars().count() <= 80 && row.trim_end() == *row, "{row}");
+        }
+        // Each label is whole, and each rung has a name of its own.
+        let named = rows
+            .iter()
+            .filter(|row| row.contains('=') || row.contains("as it is"));
+        let mut names: Vec<_> = named.filter_map(|row| row.split(' ').next()).collect();
+        for rung in &ladder.0 {
+            assert!(
+                rows.iter().any(|row| row.contains(&rung.label)),
+                "{rows:#?}"
+            );
+        }
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ladder.0.len(), "{names:?}");
+    }
+}
+
+#[test]
+fn no_time_is_told_as_none() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4"], 1);
+    let shown = ["12.3", "24.7"];
+    for (seconds, unit, on_page) in [
+        (0.000_012_34, "µs", "0.0123 ± 0.0002 ms"),
+        (0.012_34, "ms", "12.3 ± 0.2 ms"),
+        (12.34, "s", "12340 ± 247 ms"),
+    ] {
+        for (rung, factor) in cost.rungs.iter_mut().zip([1.0, 2.0]) {
+            rung.cpu = Timing {
+                median: factor * seconds,
+                deviation: Some(0.02 * seconds),
+            };
+            rung.wall = rung.cpu;
+        }
+        let rows = cost.rows();
+        let words: Vec<Vec<_>> = rows
+            .lines()
+            .map(|row| row.split_whitespace().collect())
+            .collect();
+        assert_eq!(words[1][..2], [unit; 2], "{rows}");
+        assert_eq!(words[2][4..6], [shown[0]; 2], "{rows}");
+        assert_eq!(words[3][2..4], [shown[1]; 2], "{rows}");
+        let page = cost.page("it", &[]).expect("a page");
+        assert!(
+            page.contains(&format!("<td>{on_page}</td>")),
+            "{on_page} in\n{page}"
+        );
+    }
+}
+
+#[test]
+fn a_step_of_a_dial_has_the_word_of_that_dial() {
+    for (rounding, others) in [("round", "truncate"), ("truncate", "round")] {
+        let image = format!("image 32 24 quantize=\"{rounding}\"");
+        let mut scene = scene(&SCENE.replace("image 32 24", &image));
+        let effects = effects_of(&scene).expect("a possible camera");
+        let ladder = Ladder::of(scene.picture, &effects);
+        let cost = cost(&mut scene, &ladder, None, 1, false, &|_, _| ()).expect("a cost");
+        let words = cost.words();
+        for expected in [
+            "\npattern: by itself stratified errs by ",
+            &format!("\nquantize: by itself {rounding} errs by "),
+            &format!(" ms, {others} errs by "),
+            "\nnumerics: by itself robust errs by ",
+            "\npattern=random errs most ",
+            "\nquantize=truncate errs most ",
+        ] {
+            assert!(words.contains(expected), "{expected:?} in\n{words}");
+        }
+        let by_itself = words.lines().filter(|line| line.contains("by itself"));
+        for line in by_itself {
+            assert!(!line.contains("as it is") && !line.contains('='), "{line}");
+        }
+        let plot = cost.plot();
+        let both = "samples=16\nalso pattern=stratified\n";
+        assert!(plot.contains(both), "{plot}");
     }
 }
 
@@ -219,6 +327,46 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
         let largest = |rung: usize| cost.rungs[rung].deviation.change.largest;
         assert!((largest(1) - largest(3)).abs() <= 0.5 + 1e-9);
         assert!((largest(2) - largest(3)).abs() <= 0.5 / 257.0 + 1e-9);
+    }
+}
+
+#[test]
+fn a_pattern_means_nothing_to_one_ray_and_to_those_that_max_error_adds() {
+    let drawn = |file: &str, picture: &dyn Fn(Picture) -> Picture| {
+        let options = Options {
+            size: Some([24, 18]),
+            ..Options::default()
+        };
+        let reading = read_file(file.as_ref(), &options).expect("a file");
+        let mut scene = reading.expect("a scene").scene;
+        scene.picture = picture(scene.picture);
+        render(&scene, &|_| ()).expect("a picture")
+    };
+    for file in ["room", "lamp-room", "horizon", "glass-ball"] {
+        let file = format!("scenes/{file}.kdl");
+        for filter in [Filter::Nearest, Filter::Anisotropic, Filter::Exact] {
+            for (max_error, patterns) in [
+                (0.0, &Pattern::ALL[..]),
+                (0.2, &[Pattern::Stratified, Pattern::Sobol]),
+            ] {
+                let with = |pattern: Pattern| {
+                    drawn(&file, &|picture| Picture {
+                        samples: 1,
+                        texture_filter: filter,
+                        max_error,
+                        pattern,
+                        ..picture
+                    })
+                };
+                let (first, first_counts) = with(patterns[0]);
+                for pattern in &patterns[1..] {
+                    let (film, counts) = with(*pattern);
+                    let place = format!("{file} {filter:?} {max_error} {pattern:?}");
+                    assert!(film.pixels() == first.pixels(), "{place}");
+                    assert_eq!(counts, first_counts, "{place}");
+                }
+            }
+        }
     }
 }
 
@@ -379,15 +527,51 @@ fn json_csv_plot_and_page_have_every_rung() {
 }
 
 #[test]
+fn the_page_answers_what_the_terminal_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = [
+        "--vary",
+        "max-error=0.1,0.05",
+        "--target",
+        "max=0",
+        "--budget",
+        "500s",
+        "--report",
+        "it.html",
+    ];
+    let output = run(&folder, &arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).expect("text");
+    let page = std::fs::read_to_string(folder.path().join("it.html")).expect("a page");
+    let (_, advice) = page.split_once("<dl class=\"advice\">\n").expect("a list");
+    let (advice, _) = advice.split_once("</dl>").expect("its end");
+    // What a reader sees: the text between tags, in which numbers and units stay in one line.
+    let texts = advice
+        .split('<')
+        .filter_map(|part| Some(part.split_once('>')?.1));
+    let seen = texts.collect::<String>().replace('\u{a0}', " ");
+    for word in ["recommended", "target", "budget"] {
+        let said = text
+            .lines()
+            .find(|line| line.starts_with(&format!("{word}: ")));
+        let (_, answer) = said.expect(word).split_once(": ").expect("a sentence");
+        let (label, why) = answer.split_once("; ").expect("a reason");
+        assert!(seen.contains(&format!("{word}{label} {why}\n")), "{seen}");
+    }
+    assert!(advice.contains("<dt>target</dt><dd><strong class=\"none\">none</strong>"));
+    assert!(advice.contains("<dt>budget</dt><dd><strong data-rung=\""));
+}
+
+#[test]
 fn a_table_a_plot_and_words_on_the_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let output = run(&folder, &["--vary", "samples=4", "--target", "max=0"]);
     let text = String::from_utf8(output.stdout).expect("text");
     for words in [
         "scene.kdl, 32x24, one run on",
-        "  SSIM    FLIP  better is\n",
-        "\n  a as it is",
-        "\n  b samples=4",
+        "  RMSE    FLIP  better\n",
+        "\na as it is ",
+        "\nb samples=4 ",
         "RMSE\n",
         "\nrecommended: ",
         "\nsamples: ",

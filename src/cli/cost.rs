@@ -102,25 +102,24 @@ fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Fa
     let pool = options.threads.pool();
     let pool = pool.map_err(|error| Failure::new(Status::Io, error, messages))?;
     let cost = pool.install(|| measured(options, &mut reading.scene, messages))?;
-    write(options, &cost, messages)?;
-    let title = options.input.title();
     let target = options.target.map(|limit| cost.cheapest(limit));
     let budget = options.budget.map(|budget| cost.within(budget));
-    let asked = [("target", target), ("budget", budget)];
-    let unmet = asked
-        .iter()
-        .any(|(_, best)| best.as_ref().is_some_and(|best| best.label.is_none()));
+    let answers = [("target", target), ("budget", budget)].into_iter();
+    let answers: Vec<_> = answers
+        .filter_map(|(word, best)| Some((word, best?)))
+        .collect();
+    write(options, &cost, &answers, messages)?;
+    let title = options.input.title();
+    let unmet = answers.iter().any(|(_, best)| best.label.is_none());
     let status = if unmet { Status::No } else { Status::Done };
     let text = if options.json.is_asked() {
-        json(&title, status, &reading, &cost, &asked)
+        json(&title, status, &reading, &cost, &answers)
     } else {
-        let asked = asked
-            .iter()
-            .filter_map(|(word, best)| Some(best.as_ref()?.words(word) + "\n"));
-        let asked: String = asked.collect();
+        let answers = answers.iter().map(|(word, best)| best.words(word) + "\n");
+        let answers: String = answers.collect();
         let [width, height] = cost.size;
         let runs = cost.runs_words();
-        format!("{title}, {width}x{height}, {runs}\n\n{cost}{asked}")
+        format!("{title}, {width}x{height}, {runs}\n\n{cost}{answers}")
     };
     Ok((text, status))
 }
@@ -209,7 +208,12 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
     Ok(())
 }
 
-fn write(options: &Options, cost: &Cost, messages: &Messages) -> Result<(), Failure> {
+fn write(
+    options: &Options,
+    cost: &Cost,
+    answers: &[(&str, Best)],
+    messages: &Messages,
+) -> Result<(), Failure> {
     let title = options.input.title();
     let cannot = |path: &Path, error: &dyn std::fmt::Display| {
         let error = format!("cannot write {}: {error}", path.display());
@@ -227,7 +231,7 @@ fn write(options: &Options, cost: &Cost, messages: &Messages) -> Result<(), Fail
     }
     if let Some(path) = &options.report {
         let page = cost
-            .page(&title)
+            .page(&title, answers)
             .map_err(|refusal| cannot(path, &refusal))?;
         let saved = save(path, |out| out.write_all(page.as_bytes()));
         saved.map_err(|error| cannot(path, &error))?;
@@ -241,14 +245,15 @@ fn json(
     status: Status,
     reading: &Reading,
     cost: &Cost,
-    asked: &[(&str, Option<Best>)],
+    answers: &[(&str, Best)],
 ) -> String {
     let mut line = serde_json::json!(cost);
     line["scene"] = title.into();
     line["exit"] = status.code().into();
     line["problems"] = problems_json(&reading.warnings, &reading.scene.sources).into();
-    for (word, best) in asked {
-        line[*word] = serde_json::json!(best);
+    for word in ["target", "budget"] {
+        let answer = answers.iter().find(|(known, _)| *known == word);
+        line[word] = serde_json::json!(answer.map(|(_, best)| best));
     }
     format!("{line}\n")
 }

@@ -77,19 +77,43 @@ pub(super) fn timed_in_all_threads<T>(work: impl FnOnce() -> T) -> ([f64; 2], T)
     (seconds, done)
 }
 
-/// A time as it is told in a sentence: three digits, and milliseconds below one second.
-pub(super) fn in_words(seconds: f64) -> String {
-    let (number, unit) = if seconds < 0.9995 {
-        (1000.0 * seconds, "ms")
-    } else {
-        (seconds, "s")
-    };
-    match number {
-        tiny if tiny < 0.9995 => format!("{tiny:.3} {unit}"),
-        small if small < 9.995 => format!("{small:.2} {unit}"),
-        middle if middle < 99.95 => format!("{middle:.1} {unit}"),
-        large => format!("{large:.0} {unit}"),
+/// A unit of time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Unit {
+    /// What it is called.
+    pub(super) word: &'static str,
+    /// How long it is.
+    pub(super) seconds: f64,
+}
+
+impl Unit {
+    /// The unit for a time: seconds from one second on, milliseconds from a tenth of one on.
+    pub(super) fn of(seconds: f64) -> Self {
+        let (word, seconds) = match seconds {
+            long if long >= 0.999_5 => ("s", 1.0),
+            middle if middle >= 0.000_099_95 => ("ms", 1e-3),
+            _ => ("µs", 1e-6),
+        };
+        Self { word, seconds }
     }
+}
+
+/// A time as it is told in a sentence.
+pub(super) fn in_words(seconds: f64) -> String {
+    let unit = Unit::of(seconds);
+    format!("{} {}", three_digits(seconds / unit.seconds), unit.word)
+}
+
+/// A number to three digits, or more before the point.
+pub(super) fn three_digits(number: f64) -> String {
+    format!("{number:.*}", decimals(number))
+}
+
+/// How many digits after the point make three of a number, or more before it.
+pub(super) fn decimals(number: f64) -> usize {
+    let rounded = format!("{number:.2e}");
+    let exponent: Option<i32> = rounded.split_once('e').and_then(|(_, it)| it.parse().ok());
+    usize::try_from(2 - exponent.unwrap_or(0)).unwrap_or(0)
 }
 
 fn median_of(mut values: Vec<f64>) -> f64 {
@@ -121,6 +145,9 @@ mod tests {
     #[test]
     fn a_time_is_told_with_three_digits() {
         for (seconds, expected) in [
+            (0.000_000_5, "0.500 µs"),
+            (0.000_012_34, "12.3 µs"),
+            (0.000_099_96, "0.100 ms"),
             (0.000_308_1, "0.308 ms"),
             (0.003_081, "3.08 ms"),
             (0.009_996, "10.0 ms"),

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::fmt::Write;
 
+use super::clock::decimals;
 use super::{Effort, Price, Prices, Timing};
 use crate::language::joined;
 use crate::plan::Effect;
@@ -93,11 +94,13 @@ impl Price {
 }
 
 impl fmt::Display for Timing {
-    /// Median and deviation in milliseconds.
+    /// Median and deviation in milliseconds, to three digits of the median.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{:.1}", 1000.0 * self.median)?;
+        let median = 1000.0 * self.median;
+        let decimals = decimals(median);
+        write!(out, "{median:.decimals$}")?;
         if let Some(deviation) = self.deviation {
-            write!(out, " ± {:.1}", 1000.0 * deviation)?;
+            write!(out, " ± {:.decimals$}", 1000.0 * deviation)?;
         }
         out.write_str(" ms")
     }

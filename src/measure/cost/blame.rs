@@ -14,6 +14,8 @@ use crate::scene::Scene;
 pub struct Blame {
     /// The dial.
     pub dial: &'static str,
+    /// What it is turned to there, in its own word.
+    pub step: String,
     /// The rung that was looked at.
     pub rung: String,
     /// How much of it is in each kind of place; the most first, and none without error.
@@ -52,6 +54,7 @@ impl Blame {
     /// Where a picture errs; `None` if nowhere.
     pub(super) fn of(
         dial: &'static str,
+        step: &str,
         rung: &str,
         film: &Film,
         truth: &Film,
@@ -100,6 +103,7 @@ impl Blame {
         let (worst, _) = worst.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
         Some(Self {
             dial,
+            step: step.to_owned(),
             rung: rung.to_owned(),
             spots: kinds,
             surface: most.map(|(_, share)| SurfaceShare {
@@ -116,7 +120,7 @@ impl Blame {
 /// For each dial, where the step of it errs that errs most.
 pub(super) fn all(rungs: &[Measured], scene: &Scene) -> Vec<Blame> {
     let of_dial = |dial: &'static str| {
-        let blames = rungs.iter().filter_map(|rung| rung.blame.as_ref());
+        let blames = rungs.iter().flat_map(|rung| &rung.blames);
         let blames = blames.filter(|blame| blame.dial == dial);
         blames.max_by(|one, other| one.error.total_cmp(&other.error))
     };

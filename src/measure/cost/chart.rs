@@ -6,8 +6,17 @@ use super::Cost;
 use super::plot::axes;
 use crate::measure::plot::seconds;
 
-/// The letter of each rung in the table and in the plot.
-pub(super) fn letters() -> impl Iterator<Item = char> {
+/// What each rung is called in the table: its letter, or its number if there is none left.
+pub(super) fn names() -> impl Iterator<Item = String> {
+    let numbered = letters().zip(1_usize..);
+    numbered.map(|(letter, number)| match letter {
+        '+' => number.to_string(),
+        letter => letter.to_string(),
+    })
+}
+
+/// The letter of each rung in the plot.
+fn letters() -> impl Iterator<Item = char> {
     ('a'..='z').chain('A'..='Z').chain(std::iter::repeat('+'))
 }
 

@@ -32,7 +32,7 @@ pub struct Limit {
 }
 
 /// A rung that is the best by some rule.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Best {
     /// What it is called; `None` if no rung meets the rule.
     pub label: Option<String>,

@@ -1,8 +1,9 @@
 //! Which settings are tried.
 
 use super::Dial;
+use crate::camera::Pattern;
 use crate::film::{Depth, Rounding};
-use crate::language::Refusal;
+use crate::language::{Refusal, Value};
 use crate::plan::Effect;
 use crate::scene::{Picture, Setting};
 
@@ -165,6 +166,12 @@ impl Rung {
         let dials = self.settings.iter().map(|setting| Dial::of(setting.word()));
         dials.flatten().any(|dial| dial.in_writing)
     }
+
+    /// Whether it is a step of a dial, alone or beside what else is set.
+    pub(super) fn turns(&self, dial: &Dial) -> bool {
+        let mut turned = self.dial.iter().chain(&self.also);
+        turned.any(|turned| *turned == dial.word)
+    }
 }
 
 /// The variations, of each dial one.
@@ -180,14 +187,22 @@ fn joined(variations: &[Variation]) -> Vec<Variation> {
     joined
 }
 
-/// The settings that can be seen in a picture: floats are not rounded to code values.
+/// The settings that can be seen in a picture: floats are not rounded to code values, a single ray goes
+/// through the middle of its pixel, and those that `max-error` adds have a pattern of their own.
 fn seen(picture: Picture) -> Picture {
     let rounding = match picture.depth {
         Depth::Eight | Depth::Sixteen => picture.rounding,
         Depth::Float => Rounding::default(),
     };
+    let is_spread = picture.samples > 1 && picture.max_error == 0.0;
+    let pattern = if is_spread {
+        picture.pattern
+    } else {
+        Pattern::default()
+    };
     Picture {
         rounding,
+        pattern,
         ..picture
     }
 }
@@ -195,10 +210,15 @@ fn seen(picture: Picture) -> Picture {
 /// The settings as they are given, such as `samples=4 numerics=classic`.
 fn label(settings: &[Setting]) -> String {
     let words = settings.iter().map(|setting| {
-        let value = setting.value().to_string();
-        format!("{}={}", setting.word(), value.trim_matches('"'))
+        let value = in_words(setting.value());
+        format!("{}={value}", setting.word())
     });
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// What a dial is turned to, as it is given.
+pub(super) fn in_words(value: &Value) -> String {
+    value.to_string().trim_matches('"').to_owned()
 }
 
 #[cfg(test)]
@@ -250,6 +270,17 @@ mod tests {
         let all = Ladder::of_all(base(), &variations).expect("a ladder");
         let turned = all.0.iter().map(|rung| rung.dial);
         assert!(turned.eq([None; 3]), "no dial is turned alone");
+        let variations = ["samples=1,4", "max-error=0,0.1", "pattern=sobol,stratified"];
+        let variations = variations.map(|text| Variation::new(text).expect("a variation"));
+        let all = Ladder::of_all(base(), &variations).expect("a ladder");
+        let expected = [
+            "as it is",
+            "samples=1 max-error=0.1 pattern=sobol",
+            "samples=4 max-error=0 pattern=sobol",
+            "samples=4 max-error=0 pattern=stratified",
+            "samples=4 max-error=0.1 pattern=sobol",
+        ];
+        assert_eq!(labels(&all), expected, "a pattern is one of many rays");
         let variations = ["samples=4", "depth=16", "samples=9"];
         let variations = variations.map(|text| Variation::new(text).expect("a variation"));
         let all = Ladder::of_all(base(), &variations).expect("a ladder");

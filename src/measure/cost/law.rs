@@ -162,6 +162,7 @@ mod tests {
         steps.map(|(value, seconds, rmse)| Measured {
             own: vec![Own {
                 dial: "samples",
+                step: format!("{value:?}"),
                 value,
                 rmse,
             }],

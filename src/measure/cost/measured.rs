@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::ladder::in_words;
 use super::reference::written;
 use super::{Blame, Dial, Rung, Truth, draw, pictures};
 use crate::film::Film;
@@ -42,19 +43,21 @@ pub struct Measured {
     /// A rung that is at least as accurate and as fast, as far as anybody can tell, and better in one of
     /// that; none if this one is on the Pareto front.
     pub dominated_by: Option<String>,
-    /// Where the dial errs.
+    /// Where each dial errs that it turns.
     #[serde(skip)]
-    pub blame: Option<Blame>,
+    pub blames: Vec<Blame>,
     /// The picture, if that was asked for.
     #[serde(skip)]
     pub pictures: Option<Pictures>,
 }
 
 /// The error that is a dial's own.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Own {
     /// The dial.
     pub dial: &'static str,
+    /// What it is turned to, in its own word.
+    pub step: String,
     /// The number that it is turned to, if it takes one.
     pub value: Option<f64>,
     /// The root mean square error; 1 is the largest code value.
@@ -75,8 +78,8 @@ pub struct Pictures {
 impl Measured {
     /// The error that is this dial's own, if it was measured.
     #[must_use]
-    pub fn own(&self, dial: &str) -> Option<Own> {
-        self.own.iter().find(|own| own.dial == dial).copied()
+    pub fn own(&self, dial: &str) -> Option<&Own> {
+        self.own.iter().find(|own| own.dial == dial)
     }
 
     /// Whether no rung is better in accuracy or time without being worse in the other.
@@ -113,7 +116,7 @@ impl Measured {
             own: Vec::new(),
             efficiency: None,
             dominated_by: None,
-            blame: None,
+            blames: Vec::new(),
             pictures: None,
         }
     }
@@ -127,7 +130,7 @@ pub(super) struct Subject {
     counts: Counts,
     deviation: Option<Deviation>,
     own: Vec<Own>,
-    blame: Option<Blame>,
+    blames: Vec<Blame>,
     pictures: Option<Pictures>,
 }
 
@@ -140,7 +143,7 @@ impl Subject {
             counts: Counts::default(),
             deviation: None,
             own: Vec::new(),
-            blame: None,
+            blames: Vec::new(),
             pictures: None,
         }
     }
@@ -188,34 +191,36 @@ impl Subject {
         Ok(())
     }
 
-    /// Finds out what of the error is the dial's own, and where it errs.
+    /// Finds out what of the error is each dial's own, and where it errs.
     fn attribute(&mut self, film: &Film, deviation: Deviation, truth: &Truth) {
         let as_it_is = self.rung.settings.is_empty();
-        let dials = Dial::all().filter(|dial| {
-            let turned = self.rung.dial.iter().chain(&self.rung.also);
-            let mut turned = turned.filter(|turned| **turned == dial.word);
+        let all = self.rung.picture.describe();
+        for dial in Dial::all() {
+            let is_turned = self.rung.turns(dial);
             // The scene as it is, is a step of each dial that is turned alone.
             let is_step = as_it_is && dial.beside.is_empty() && !dial.in_writing;
-            turned.next().is_some() || is_step
-        });
-        for dial in dials {
+            let (true, Some(value)) = (is_turned || is_step, all.property(dial.word)) else {
+                continue;
+            };
             let twin = truth.twins.iter().find(|twin| twin.dial == dial.word);
             let own = match twin {
                 Some(twin) => rmse(film, &twin.film),
                 None if dial.by_reference => deviation.rmse,
                 None => continue,
             };
-            let value = self.rung.picture.describe().property(dial.word);
-            let value = value.filter(|value| value.text().is_empty());
+            let step = in_words(&value);
+            if is_turned {
+                let best = twin.map_or(&truth.reference.film, |twin| &twin.film);
+                let rung = &self.rung.label;
+                let blame = Blame::of(dial.word, &step, rung, film, best, &truth.spots);
+                self.blames.extend(blame);
+            }
             self.own.push(Own {
                 dial: dial.word,
-                value: value.map(|value| value.number()),
+                value: value.text().is_empty().then(|| value.number()),
+                step,
                 rmse: own,
             });
-            if self.rung.dial == Some(dial.word) {
-                let best = twin.map_or(&truth.reference.film, |twin| &twin.film);
-                self.blame = Blame::of(dial.word, &self.rung.label, film, best, &truth.spots);
-            }
         }
     }
 
@@ -244,7 +249,7 @@ impl Subject {
             efficiency: (square > 0.0 && cpu.median > 0.0).then(|| 1.0 / (square * cpu.median)),
             own: self.own,
             dominated_by: None,
-            blame: self.blame,
+            blames: self.blames,
             pictures: self.pictures,
         }
     }

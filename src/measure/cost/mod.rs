@@ -15,6 +15,7 @@ mod plot;
 mod reference;
 mod spots;
 mod table;
+mod words;
 
 pub use blame::{Blame, SpotShare, SurfaceShare};
 pub use choice::{Best, Limit, Metric};

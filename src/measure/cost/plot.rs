@@ -1,6 +1,6 @@
 //! Error against time as a drawing.
 
-use super::table::percent;
+use super::words::percent;
 use super::{Cost, DIALS, Measured};
 use crate::measure::clock::in_words;
 use crate::measure::plot::{Axis, Frame, HUES, Labels, STYLE, Svg, number, seconds};
@@ -99,8 +99,8 @@ impl Cost {
                 continue;
             }
             let name = name(rung);
-            if let Some(middle) = labels.beside([x, y], &name) {
-                svg.text("label", "middle", middle, &name);
+            if let Some(middle) = labels.beside([x, y], name) {
+                svg.text("label", "middle", middle, name);
                 named.push([x, y]);
             }
         }
@@ -148,16 +148,9 @@ fn width_of(letter: char) -> f64 {
 }
 
 /// What a rung is called where its dial is told already, as by the colour of its dot.
-pub(super) fn name(rung: &Measured) -> String {
-    // What else is set is the same for all steps of a dial.
-    let last = rung.label.rsplit(' ').next();
-    match (rung.dial, last) {
-        (Some(_), Some(setting)) => {
-            let (_, value) = setting.split_once('=').unwrap_or(("", setting));
-            value.to_owned()
-        }
-        _ => rung.label.clone(),
-    }
+fn name(rung: &Measured) -> &str {
+    let own = rung.dial.and_then(|dial| rung.own(dial));
+    own.map_or(&rung.label, |own| &own.step)
 }
 
 /// The class with the colour of a dial.
@@ -175,8 +168,15 @@ fn story(rung: &Measured) -> String {
         None => "on the Pareto front".to_owned(),
         Some(better) => format!("{better} is better"),
     };
+    let also = rung
+        .own
+        .iter()
+        .filter(|own| rung.dial.is_some_and(|dial| dial != own.dial));
+    let also: String = also
+        .map(|own| format!("\nalso {}={}", own.dial, own.step))
+        .collect();
     format!(
-        "{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\nFLIP {:.4}\n{worth}",
+        "{}{also}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\nFLIP {:.4}\n{worth}",
         rung.label,
         in_words(rung.cpu.median),
         deviation.rmse,

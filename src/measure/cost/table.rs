@@ -1,27 +1,24 @@
-//! The cost of accuracy as text.
+//! The cost of accuracy as a table.
 
 use std::fmt;
 use std::fmt::Write;
 
-use super::plot::name;
-use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade, chart};
-use crate::measure::Timing;
-use crate::measure::clock::in_words;
+use super::{Cost, Measured, chart};
+use crate::measure::Deviation;
+use crate::measure::clock::{Unit, three_digits};
 
-/// The names of the columns of the table.
-const COLUMNS: [&str; 11] = [
-    "rung",
-    "cpu",
-    "wall",
-    "rays",
-    "max",
-    "off",
-    "RMSE",
-    "PSNR",
-    "SSIM",
-    "FLIP",
-    "better is",
-];
+/// How wide a line is at most, as terminals are.
+const WIDTH: usize = 80;
+
+/// How long a label may be beside its figures; `texture-filter=anisotropic` is. A longer one has lines
+/// of its own above them.
+const LABEL: usize = 26;
+
+/// How many figures there are of each rung.
+const COLUMNS: usize = 7;
+
+/// What stands above them.
+const HEADS: [&str; COLUMNS] = ["cpu", "wall", "max", "off", "RMSE", "FLIP", "better"];
 
 impl fmt::Display for Cost {
     /// The table of rungs, the plot in characters, and both in words.
@@ -32,199 +29,115 @@ impl fmt::Display for Cost {
 }
 
 impl Cost {
-    /// A table with a row for each rung. In its last column stands the letter of the rung that is
-    /// better, or that the rung is on the Pareto front.
+    /// A table with a row for each rung, which fits into 80 columns. In its last column stands the letter
+    /// of the rung that is better, or that the rung is on the Pareto front.
     #[must_use]
     pub fn rows(&self) -> String {
-        let mut rows = vec![COLUMNS.map(str::to_owned)];
-        rows.extend(self.rungs.iter().map(|rung| self.cells(rung)));
-        let widest = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
-        let widths: [_; COLUMNS.len()] = std::array::from_fn(|column| widest(column).unwrap_or(0));
-        let mut text = String::new();
-        for (letter, [label, numbers @ .., better]) in
-            std::iter::once(' ').chain(chart::letters()).zip(&rows)
-        {
-            // Writing to a String cannot fail.
-            let _ = write!(text, "  {letter} {label:<wide$}", wide = widths[0]);
-            for (number, wide) in numbers.iter().zip(&widths[1..]) {
-                let _ = write!(text, "  {number:>wide$}");
-            }
-            let _ = writeln!(text, "  {better}");
-        }
-        text
+        let times = self.rungs.iter().flat_map(|rung| [rung.cpu, rung.wall]);
+        let least = times.map(|time| time.median).min_by(f64::total_cmp);
+        let unit = Unit::of(least.unwrap_or(1.0));
+        let units = [unit.word, unit.word, "/255", "%", "", "", "is"];
+        let mut rows = vec![Row::head("rung", HEADS), Row::head("", units)];
+        let rungs = self.rungs.iter().zip(chart::names());
+        rows.extend(rungs.map(|(rung, name)| Row {
+            name,
+            label: rung.label.clone(),
+            cells: self.cells(rung, unit),
+        }));
+        let widest = |text: &dyn Fn(&Row) -> &str, most: usize| {
+            let widths = rows.iter().map(|row| text(row).chars().count());
+            widths.filter(|wide| *wide <= most).max().unwrap_or(0)
+        };
+        let name = widest(&|row| &row.name, WIDTH);
+        let label = widest(&|row| &row.label, LABEL);
+        let cells: [_; COLUMNS] =
+            std::array::from_fn(|column| widest(&|row| &row.cells[column], WIDTH));
+        let lines = rows.iter().flat_map(|row| row.lines(name, label, cells));
+        lines
+            .map(|line| line.trim_end().to_owned() + "\n")
+            .collect()
     }
 
-    /// A rung's row.
-    fn cells(&self, rung: &Measured) -> [String; COLUMNS.len()] {
-        let [cpu, wall, rays, max, off, rmse, psnr, ssim, flip] = figures(rung);
-        let (label, better) = (rung.label.clone(), self.better(rung));
+    /// The figures of a rung.
+    fn cells(&self, rung: &Measured, unit: Unit) -> [String; COLUMNS] {
+        let Deviation {
+            change, rmse, flip, ..
+        } = rung.deviation;
+        let rmse = match rmse {
+            0.0 => "0".to_owned(),
+            tiny if tiny < 0.001 => format!("{tiny:.2e}"),
+            some => format!("{some:.5}"),
+        };
         [
-            label, cpu, wall, rays, max, off, rmse, psnr, ssim, flip, better,
+            three_digits(rung.cpu.median / unit.seconds),
+            three_digits(rung.wall.median / unit.seconds),
+            brief(change.largest),
+            brief(100.0 * change.pixels),
+            rmse,
+            format!("{flip:.4}"),
+            self.better(rung),
         ]
     }
 
-    /// The letter of the rung that is better than this one, or its label if there are not enough letters.
+    /// The name in the table of the rung that is better than this one.
     fn better(&self, rung: &Measured) -> String {
-        let Some(better) = &rung.dominated_by else {
-            return "none".to_owned();
-        };
-        let letters = self.rungs.iter().zip(chart::letters());
-        let found = letters.filter(|(rung, letter)| rung.label == *better && *letter != '+');
-        let mut found = found.map(|(_, letter)| letter.to_string());
-        found.next().unwrap_or_else(|| better.clone())
+        let mut others = self.rungs.iter().zip(chart::names());
+        let better = others.find(|(other, _)| rung.dominated_by.as_ref() == Some(&other.label));
+        better.map_or("none".to_owned(), |(_, name)| name)
     }
+}
 
-    /// What the table comes to, a sentence a line.
-    #[must_use]
-    pub fn words(&self) -> String {
-        let mut lines = vec![self.reference_words(), String::new()];
-        lines.push(self.recommended.words("recommended"));
-        lines.extend(self.laws.iter().map(|law| law.words(&self.rungs)));
-        lines.extend(self.blames.iter().map(Blame::words));
-        lines.join("\n") + "\n"
-    }
+/// A row of the table.
+struct Row {
+    name: String,
+    label: String,
+    cells: [String; COLUMNS],
+}
 
-    /// What the pictures were compared with.
-    #[must_use]
-    pub fn reference_words(&self) -> String {
-        let about = &self.reference.about;
-        match self.reference.doubt {
-            None => format!("Reference: {about}; nobody knows how far it is off itself."),
-            Some(doubt) => format!(
-                "Reference: {about}; off itself by an RMSE of about {:.6}, and by {:.2} code \
-                 values where its halves differ most. Rungs whose RMSE differ by no more are equally \
-                 accurate.",
-                doubt.rmse, doubt.largest
-            ),
+impl Row {
+    fn head(label: &str, cells: [&str; COLUMNS]) -> Self {
+        Self {
+            name: String::new(),
+            label: label.to_owned(),
+            cells: cells.map(str::to_owned),
         }
     }
 
-    /// How the times were taken.
-    #[must_use]
-    pub fn runs_words(&self) -> String {
-        let threads = match self.threads {
-            1 => "1 thread".to_owned(),
-            threads => format!("{threads} threads"),
-        };
-        let runs = || self.rungs.iter().map(|rung| rung.runs);
-        match (runs().min().unwrap_or(1), runs().max().unwrap_or(1)) {
-            (_, 1) => format!("one run on {threads}"),
-            (least, most) if least < most => {
-                format!("medians of {least} to {most} runs on {threads}")
-            }
-            (_, most) => format!("medians of {most} runs on {threads}"),
-        }
-    }
-}
-
-/// The figures of a rung's row: processor time, time, rays, and how far it is off.
-pub(super) fn figures(rung: &Measured) -> [String; 9] {
-    let deviation = &rung.deviation;
-    let psnr = deviation
-        .psnr
-        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
-    [
-        rung.cpu.to_string(),
-        median(rung.wall),
-        rung.rays.to_string(),
-        format!("{:.2}", deviation.change.largest),
-        percent(deviation.change.pixels),
-        format!("{:.6}", deviation.rmse),
-        psnr,
-        format!("{:.4}", deviation.ssim),
-        format!("{:.4}", deviation.flip),
-    ]
-}
-
-impl Best {
-    /// The rung and why, after a word for it.
-    #[must_use]
-    pub fn words(&self, title: &str) -> String {
-        let label = self.label.as_deref().unwrap_or("none");
-        format!("{title}: {label}; {}", self.why)
-    }
-}
-
-impl Law {
-    /// The law as a sentence.
-    #[must_use]
-    pub fn words(&self, rungs: &[Measured]) -> String {
-        let (dial, best) = (self.dial, &self.most_accurate);
-        match self.trade {
-            Trade::Power {
-                of_time,
-                of_value,
-                halving,
-            } => format!(
-                "{dial}: half the error takes {halving:.1} times as long; error goes with time to \
-                 the power of {of_time:.2}, and with {dial} to that of {of_value:.2}"
-            ),
-            Trade::Free => {
-                format!("{dial}: its steps buy no accuracy for time; the most accurate is {best:?}")
-            }
-            Trade::Words => {
-                let steps = rungs.iter().filter_map(|rung| {
-                    let own = rung.own(dial)?;
-                    let error = match own.rmse {
-                        tiny if tiny > 0.0 && tiny < 1e-4 => format!("{tiny:.1e}"),
-                        error => format!("{error:.6}"),
-                    };
-                    let time = in_words(rung.cpu.median);
-                    let step = if rung.dial == Some(dial) {
-                        name(rung)
-                    } else {
-                        rung.label.clone()
-                    };
-                    Some(format!("{step} errs by {error} in {time}"))
-                });
-                let steps: Vec<_> = steps.collect();
-                format!("{dial}: by itself {}", steps.join(", "))
+    /// The row's lines, with columns of these widths.
+    fn lines(&self, name: usize, label: usize, cells: [usize; COLUMNS]) -> Vec<String> {
+        let mut lines = vec![format!("{:<name$}", self.name)];
+        let width = |text: &str| text.chars().count();
+        for word in self.label.split(' ') {
+            match lines.last_mut() {
+                Some(line) if width(line) + 1 + width(word) <= WIDTH => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(format!("{:name$} {word}", "")),
             }
         }
+        if width(&self.label) > label {
+            lines.push(String::new());
+        }
+        if let Some(last) = lines.last_mut() {
+            *last = format!("{last:<wide$}", wide = name + 1 + label);
+            let [numbers @ .., better] = &self.cells;
+            for (number, wide) in numbers.iter().zip(cells) {
+                // Writing to a String cannot fail.
+                let _ = write!(last, "  {number:>wide$}");
+            }
+            let _ = write!(last, "  {better}");
+        }
+        lines
     }
 }
 
-impl Blame {
-    /// Where the dial errs as a sentence.
-    #[must_use]
-    pub fn words(&self) -> String {
-        let mut text = format!("{} errs most", self.rung);
-        let spots = self
-            .spots
-            .iter()
-            .filter(|share| share.error >= 0.01)
-            .take(3);
-        for (number, share) in spots.enumerate() {
-            let comma = if number == 0 { " " } else { ", " };
-            let [error, pixels] = [share.error, share.pixels].map(percent);
-            let spot = share.spot;
-            let of = if number == 0 {
-                " of its squared error"
-            } else {
-                ""
-            };
-            let all = if number == 0 { " of all pixels" } else { "" };
-            text += &format!("{comma}{} ({error}{of} in {pixels}{all})", spot.words());
-        }
-        if let Some(SurfaceShare { title, error }) = &self.surface {
-            text += &format!("; {} on {title}", percent(*error));
-        }
-        let [column, row] = self.worst;
-        text + &format!("; worst at pixel {column},{row}")
-    }
-}
-
-/// A median in milliseconds.
-pub(super) fn median(timing: Timing) -> String {
-    format!("{:.1} ms", 1000.0 * timing.median)
-}
-
-/// A share of all as percents.
-pub(super) fn percent(share: f64) -> String {
-    match 100.0 * share {
-        0.0 => "0 %".to_owned(),
-        tiny if tiny < 0.01 => "< 0.01 %".to_owned(),
-        some if some < 10.0 => format!("{some:.2} %"),
-        some => format!("{some:.1} %"),
+/// A number to three digits, and two behind the point at most.
+fn brief(number: f64) -> String {
+    match number {
+        0.0 => "0".to_owned(),
+        tiny if tiny < 0.005 => "<0.01".to_owned(),
+        small if small < 1.0 => format!("{small:.2}"),
+        some => three_digits(some),
     }
 }
