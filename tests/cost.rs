@@ -129,6 +129,36 @@ fn what_max_error_adds_is_compared_with_more() {
 }
 
 #[test]
+fn how_often_max_error_is_met_is_told() {
+    let mut scene = scene(SCENE);
+    let cost = measured(&mut scene, &["max-error=0.05,0.00001", "samples=4"], 2);
+    let mut told = Vec::new();
+    for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "1e-5", 1e-5)] {
+        scene.picture.max_error = max_error;
+        let (film, _) = render(&scene, &|_| ()).expect("a picture");
+        let pairs = film.pixels().iter().zip(cost.reference.film.pixels());
+        let met = pairs.filter(|(pixel, truth)| {
+            let channels = pixel.channels().into_iter().zip(truth.channels());
+            let errors = channels.map(|(a, b)| (a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0)).abs());
+            errors.fold(0.0, f64::max) <= max_error
+        });
+        let share = met.count() as f64 / f64::from(32 * 24);
+        assert!(
+            share > 0.5 && (share < 1.0) == (max_error < 0.05),
+            "{share}"
+        );
+        assert_eq!(cost.rungs[rung].met, Some(share));
+        told.push(format!("{:.2} % ({step})", 100.0 * share));
+    }
+    assert_eq!(
+        [&cost.rungs[0], &cost.rungs[3]].map(|rung| rung.met),
+        [None; 2]
+    );
+    let words = format!("\nmax-error: met in {} of the pixels\n", told.join(", "));
+    assert!(cost.words().contains(&words), "{words}: {}", cost.words());
+}
+
+#[test]
 fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let better = [Some("samples=64"), None, Some("samples=4")];
@@ -491,6 +521,8 @@ fn json_csv_plot_and_page_have_every_rung() {
     let mut wrong = answer.clone();
     wrong["rungs"][0]["rays"] = serde_json::Value::Null;
     assert!(!validator.is_valid(&wrong));
+
+    assert!(rungs.iter().all(|rung| rung["met"].is_null()), "{rungs:?}");
 
     let csv = read("it.csv");
     assert!(

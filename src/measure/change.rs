@@ -22,26 +22,39 @@ impl Change {
     /// What is brighter than the largest code value is shown as that, and compared as that.
     #[must_use]
     pub fn between(before: &Film, after: &Film) -> Self {
-        let pairs = before.pixels().iter().zip(after.pixels());
-        let differences = pairs.map(|(before, after)| {
-            let [before, after] = [before, after].map(|pixel| pixel.channels().map(shown));
-            let channels = before.iter().zip(&after);
-            channels.fold(0.0, |most: f64, (before, after)| {
-                most.max((before - after).abs())
-            })
-        });
-        let (mut changed, mut largest) = (0, 0.0_f64);
-        for difference in differences {
-            changed += u32::from(difference > 0.5);
-            largest = largest.max(difference);
-        }
-        #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-        let all = before.pixels().len().max(1) as f64;
         Self {
-            pixels: f64::from(changed) / all,
-            largest,
+            pixels: share(differences(before, after), |difference| difference > 0.5),
+            largest: differences(before, after).fold(0.0, f64::max),
         }
     }
+}
+
+/// The share of the pixels of two pictures that differ by no more than this, where 1 is the largest
+/// code value; none for pictures without pixels.
+#[must_use]
+pub(super) fn share_within(before: &Film, after: &Film, limit: f64) -> f64 {
+    let codes = LARGEST_CODE * limit;
+    share(differences(before, after), |difference| difference <= codes)
+}
+
+/// By how many code values the worst channel of each pixel differs.
+fn differences(before: &Film, after: &Film) -> impl Iterator<Item = f64> {
+    let pairs = before.pixels().iter().zip(after.pixels());
+    pairs.map(|(before, after)| {
+        let [before, after] = [before, after].map(|pixel| pixel.channels().map(shown));
+        let channels = before.iter().zip(&after);
+        let channels = channels.map(|(before, after)| (before - after).abs());
+        channels.fold(0.0, f64::max)
+    })
+}
+
+fn share(differences: impl Iterator<Item = f64>, counts: impl Fn(f64) -> bool) -> f64 {
+    let [mut counted, mut all] = [0.0, 0.0];
+    for difference in differences {
+        counted += f64::from(counts(difference));
+        all += 1.0;
+    }
+    counted / f64::max(all, 1.0)
 }
 
 /// An intensity as a code value that is not rounded.
@@ -67,5 +80,8 @@ mod tests {
         let change = Change::between(&before, &after);
         assert_eq!(change.pixels, 0.5);
         assert!((change.largest - 40.0).abs() < 1e-9, "{change:?}");
+        for (codes, share) in [(0.0, 0.25), (0.5001, 0.5), (39.0, 0.75), (41.0, 1.0)] {
+            assert_eq!(share_within(&before, &after, codes / 255.0), share);
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Cost;
 
-/// The columns. Times are in seconds, `max` in code values, `off` is a share of the pixels.
-pub(super) const COLUMNS: [&str; 21] = [
+/// The columns. Times are in seconds, `max` in code values, `off` and `met` are shares of the pixels.
+pub(super) const COLUMNS: [&str; 22] = [
     "rung",
     "dial",
     "value",
@@ -18,6 +18,7 @@ pub(super) const COLUMNS: [&str; 21] = [
     "texel_fetches",
     "max",
     "off",
+    "met",
     "rmse",
     "own_rmse",
     "psnr",
@@ -53,6 +54,7 @@ impl Cost {
                 rung.counts.texel_fetches.to_string(),
                 rung.deviation.change.largest.to_string(),
                 rung.deviation.change.pixels.to_string(),
+                number(rung.met),
                 rung.deviation.rmse.to_string(),
                 number(own.map(|own| own.rmse)),
                 number(rung.deviation.psnr),

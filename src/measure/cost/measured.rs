@@ -7,6 +7,7 @@ use super::reference::written;
 use super::{Blame, Dial, Rung, Truth, draw, pictures};
 use crate::film::Film;
 use crate::language::Refusal;
+use crate::measure::change::share_within;
 use crate::measure::clock::timed_in_all_threads;
 use crate::measure::deviation::rmse;
 use crate::measure::{Deviation, Timing};
@@ -35,6 +36,9 @@ pub struct Measured {
     /// How far the picture is from the reference.
     #[serde(flatten)]
     pub deviation: Deviation,
+    /// The share of the pixels that are within the picture's `max-error` of the reference; `None` if it has
+    /// none.
+    pub met: Option<f64>,
     /// The root mean square error that is each dial's own: how far the picture is from the same one
     /// with that dial at its best; for the scene as it is, that of every dial.
     pub own: Vec<Own>,
@@ -113,6 +117,7 @@ impl Measured {
                 ssim: 1.0 - rmse,
                 flip: rmse,
             },
+            met: None,
             own: Vec::new(),
             efficiency: None,
             dominated_by: None,
@@ -129,6 +134,7 @@ pub(super) struct Subject {
     wall: Vec<f64>,
     counts: Counts,
     deviation: Option<Deviation>,
+    met: Option<f64>,
     own: Vec<Own>,
     blames: Vec<Blame>,
     pictures: Option<Pictures>,
@@ -142,6 +148,7 @@ impl Subject {
             wall: Vec::new(),
             counts: Counts::default(),
             deviation: None,
+            met: None,
             own: Vec::new(),
             blames: Vec::new(),
             pictures: None,
@@ -186,6 +193,8 @@ impl Subject {
             || pictures.then(|| pictures::of(&film, &reference.film)),
         );
         self.deviation = Some(deviation);
+        let limit = self.rung.picture.max_error;
+        self.met = (limit > 0.0).then(|| share_within(&reference.film, &film, limit));
         self.pictures = kept.transpose()?;
         self.attribute(&film, deviation, truth);
         Ok(())
@@ -247,6 +256,7 @@ impl Subject {
             counts: self.counts,
             deviation,
             efficiency: (square > 0.0 && cpu.median > 0.0).then(|| 1.0 / (square * cpu.median)),
+            met: self.met,
             own: self.own,
             dominated_by: None,
             blames: self.blames,

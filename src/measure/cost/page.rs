@@ -37,7 +37,11 @@ impl Cost {
                 let law = |law: &Law| sentence(law.dial, &law.words(&self.rungs));
                 let blame = |blame: &Blame| sentence(&blame.setting(), &blame.words());
                 let laws = self.laws.iter().map(law);
-                laws.chain(self.blames.iter().map(blame)).collect()
+                let met = self.met_words();
+                let met = met.iter().map(|words| sentence("max-error", words));
+                laws.chain(met)
+                    .chain(self.blames.iter().map(blame))
+                    .collect()
             }
             "style" => STYLE.to_owned(),
             "wide" => self.plot_element("wide", [1000.0, 520.0]),

@@ -10,6 +10,7 @@ impl Cost {
         let mut lines = vec![self.reference_words(), String::new()];
         lines.push(self.recommended.words("recommended"));
         lines.extend(self.laws.iter().map(|law| law.words(&self.rungs)));
+        lines.extend(self.met_words());
         lines.extend(self.blames.iter().map(Blame::words));
         lines.join("\n") + "\n"
     }
@@ -27,6 +28,19 @@ impl Cost {
                 doubt.rmse, doubt.largest
             ),
         }
+    }
+
+    /// How often each `max-error` was met, if there is one.
+    #[must_use]
+    pub fn met_words(&self) -> Option<String> {
+        let rungs = self.rungs.iter();
+        let met = rungs.filter_map(|rung| {
+            let own = rung.own("max-error");
+            let step = own.map_or(&rung.label, |own| &own.step);
+            Some(format!("{:.2} % ({step})", 100.0 * rung.met?))
+        });
+        let met: Vec<_> = met.collect();
+        (!met.is_empty()).then(|| format!("max-error: met in {} of the pixels", met.join(", ")))
     }
 
     /// How the times were taken.
