@@ -447,6 +447,12 @@ fn exit_codes_answer() {
     assert_eq!(code(&["--report", "."]), Some(4));
     assert_eq!(code(&["--vary", "transfer=srgb"]), Some(2));
     assert_eq!(code(&["--csv", "no/such.csv"]), Some(4));
+    // Refused before anything is drawn, and so before there is anything to print.
+    let long = "a".repeat(300);
+    let output = run(&folder, &["--vary", "samples=2", "--report", &long]);
+    let said = String::from_utf8(output.stderr).expect("text");
+    assert!(said.ends_with("its name is too long\n"), "{said}");
+    assert_eq!(output.status.code(), Some(4));
     assert_eq!(run(&folder, &["--grid"]).status.code(), Some(2));
 }
 
@@ -518,6 +524,17 @@ fn json_csv_plot_and_page_have_every_rung() {
     let validator = jsonschema::validator_for(&schema).expect("a schema");
     let errors: Vec<_> = validator.iter_errors(&answer).collect();
     assert!(errors.is_empty(), "{errors:?}");
+    let unmet = [
+        "--vary", "depth=8", "--target", "max=0", "--budget", "1e-9s", "--json",
+    ];
+    let unmet = run(&folder, &unmet);
+    let unmet: serde_json::Value = serde_json::from_slice(&unmet.stdout).expect("JSON");
+    let errors: Vec<_> = validator.iter_errors(&unmet).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    for asked in ["target", "budget"] {
+        assert!(unmet[asked]["label"].is_null() && unmet[asked]["why"].is_string());
+    }
+    assert_eq!(unmet["exit"], 1);
     let mut wrong = answer.clone();
     wrong["rungs"][0]["rays"] = serde_json::Value::Null;
     assert!(!validator.is_valid(&wrong));

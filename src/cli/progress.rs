@@ -1,9 +1,11 @@
 //! The progress bar, on terminals only.
 
+use std::fmt;
 use std::io::IsTerminal;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::style::ProgressTracker;
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::messages::Messages;
 
@@ -12,12 +14,85 @@ pub(super) fn bar(title: &str, rows: u64, messages: &Messages) -> ProgressBar {
     if messages.quiet || !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{msg} [{wide_bar}] {percent:>3} %  {eta} left")
+    let style = ProgressStyle::with_template("{msg} [{wide_bar}] {percent:>3} %{left}")
         .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("left", Left::default())
         .progress_chars("█▌ ");
-    let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::stderr_with_hz(10));
+    // Of nothing, all is done: a bar whose length is not known yet begins at zero as others do.
+    let length = Some(rows.max(1));
+    let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr_with_hz(10));
     bar.set_style(style);
     bar.set_message(title.to_owned());
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+/// How long the rest will take.
+///
+/// The first step counts for nothing, since it may be another kind of work, such as a reference; until
+/// another is done, nobody knows.
+#[derive(Debug, Clone, Copy, Default)]
+struct Left {
+    first: Option<(Instant, u64)>,
+    left: Option<Duration>,
+}
+
+impl Left {
+    fn note(&mut self, done: u64, of: u64, now: Instant) {
+        let (start, first) = match self.first {
+            Some(first) => first,
+            None if done == 0 => return,
+            None => *self.first.insert((now, done)),
+        };
+        let rest = of.saturating_sub(done);
+        #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+        let each = |steps: u64| rest as f64 / steps as f64;
+        let steps = done.checked_sub(first).filter(|steps| *steps > 0);
+        let left = steps.map(|steps| now.duration_since(start).as_secs_f64() * each(steps));
+        self.left = left.and_then(|left| Duration::try_from_secs_f64(left).ok());
+    }
+}
+
+impl ProgressTracker for Left {
+    fn clone_box(&self) -> Box<dyn ProgressTracker> {
+        Box::new(*self)
+    }
+
+    fn tick(&mut self, state: &ProgressState, now: Instant) {
+        self.note(state.pos(), state.len().unwrap_or(0), now);
+    }
+
+    fn reset(&mut self, _state: &ProgressState, _now: Instant) {
+        *self = Self::default();
+    }
+
+    fn write(&self, _state: &ProgressState, out: &mut dyn fmt::Write) {
+        if let Some(left) = self.left {
+            // A bar without it is a bar as well.
+            let _ = write!(out, "  {:#} left", HumanDuration(left));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_left_is_told_once_it_is_known_and_without_the_first_step() {
+        let start = Instant::now();
+        let mut left = Left::default();
+        for (seconds, done, expected) in [
+            (0, 0, None),
+            // The reference takes a minute, and each rung half a second.
+            (59, 0, None),
+            (60, 2, None),
+            (61, 4, Some(2.0)),
+            (62, 6, Some(1.0)),
+            (63, 8, Some(0.0)),
+        ] {
+            left.note(done, 8, start + Duration::from_secs(seconds));
+            assert_eq!(left.left.map(|it| it.as_secs_f64()), expected, "{seconds}");
+        }
+    }
 }

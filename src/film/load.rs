@@ -19,6 +19,12 @@ impl Film {
         read.map_err(|error| error.to_string())?;
         if bytes.starts_with(b"PF") {
             let film = from_pfm(&bytes).ok_or("it is a damaged PFM")?;
+            let mut pixels = film.pixels().iter();
+            if let Some(at) = pixels.position(|pixel| !pixel.is_finite()) {
+                let (column, row) = (at % film.width(), at / film.width());
+                let reason = format!("pixel {column},{row} of it is infinite or not a number");
+                return Err(reason);
+            }
             return Ok(film.shown(transfer));
         }
         let image = image::load_from_memory(&bytes).map_err(|error| error.to_string())?;
@@ -64,9 +70,6 @@ fn from_pfm(bytes: &[u8]) -> Option<Film> {
         };
         let [r, g, b] = channels.map(value);
         *pixel = Rgb::new(r, g, b);
-        if !pixel.is_finite() {
-            return None;
-        }
     }
     Some(film)
 }
@@ -98,6 +101,12 @@ mod tests {
                     Film::read(&path, Transfer::None),
                     Err("it is a damaged PFM".to_owned())
                 );
+                // The last floats are those of the upper right pixel.
+                let last = bytes.len() - 4;
+                bytes[last..].copy_from_slice(&f32::NAN.to_le_bytes());
+                std::fs::write(&path, &bytes).expect("a file");
+                let reason = "pixel 2,0 of it is infinite or not a number".to_owned();
+                assert_eq!(Film::read(&path, Transfer::None), Err(reason));
             }
         }
     }

@@ -42,6 +42,9 @@ pub fn check_place(path: &Path) -> io::Result<()> {
     match fs::metadata(&place) {
         Ok(old) if old.is_dir() => Err(io::Error::other("it is a folder")),
         Ok(old) if is_special(&old) => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::InvalidFilename => {
+            Err(io::Error::new(error.kind(), "its name is too long"))
+        }
         _ => beside(&place).map(drop),
     }
 }
