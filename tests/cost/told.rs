@@ -1,0 +1,160 @@
+//! What is told of costs: the table and the sentences.
+
+use heliodon::measure::{Ladder, Timing, Variation, cost, effects_of};
+use heliodon::render::render;
+
+use super::{SCENE, measured, room, scene};
+
+#[test]
+fn how_often_max_error_is_met_is_told() {
+    let mut scene = scene(SCENE);
+    let cost = measured(&mut scene, &["max-error=0.05,0.00001", "samples=4"], 2);
+    let mut told = Vec::new();
+    for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "1e-5", 1e-5)] {
+        scene.picture.max_error = max_error;
+        let (film, _) = render(&scene, &|_| ()).expect("a picture");
+        let pairs = film.pixels().iter().zip(cost.reference.film.pixels());
+        let met = pairs.filter(|(pixel, truth)| {
+            let channels = pixel.channels().into_iter().zip(truth.channels());
+            let errors = channels.map(|(a, b)| (a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0)).abs());
+            errors.fold(0.0, f64::max) <= max_error
+        });
+        let share = met.count() as f64 / f64::from(32 * 24);
+        assert!(
+            share > 0.5 && (share < 1.0) == (max_error < 0.05),
+            "{share}"
+        );
+        assert_eq!(cost.rungs[rung].met, Some(share));
+        told.push(format!("{:.2} % ({step})", 100.0 * share));
+    }
+    assert_eq!(
+        [&cost.rungs[0], &cost.rungs[3]].map(|rung| rung.met),
+        [None; 2]
+    );
+    let words = format!("\nmax-error: met in {} of the pixels\n", told.join(", "));
+    assert!(cost.words().contains(&words), "{words}: {}", cost.words());
+}
+
+#[test]
+fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
+    let better = [Some("samples=64"), None, Some("samples=4")];
+    for (rung, better) in cost.rungs.iter_mut().zip(better) {
+        rung.dominated_by = better.map(str::to_owned);
+    }
+    let rows = cost.rows();
+    let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
+    let text = rows[0].iter().collect::<String>();
+    let place = text.find("better").expect("a column");
+    // The first two rows are heads.
+    for (row, expected) in rows[2..].iter().zip(["c", "none", "b"]) {
+        let text: String = row[place - 2..].iter().collect();
+        assert_eq!(text, format!("  {expected}"));
+        assert!(row[place - 3].is_ascii_digit(), "FLIP: {row:?}");
+    }
+}
+
+#[test]
+fn the_table_fits_into_eighty_columns() {
+    let grid = [
+        "samples=1,4,6,9",
+        "texture-filter=nearest,bilinear,anisotropic,exact",
+        "cut-off=1,0.016",
+        "numerics=classic-f32,robust",
+    ];
+    let grid = grid.map(|text| Variation::new(text).expect("a variation"));
+    let mut room = room();
+    room.picture.width = 20;
+    room.picture.height = 15;
+    let effects = effects_of(&room).expect("a possible camera");
+    let each = Ladder::of(room.picture, &effects);
+    let all = Ladder::of_all(room.picture, &grid).expect("a ladder");
+    for (ladder, lines) in [(each, 1), (all, 2)] {
+        let cost = cost(&mut room, &ladder, None, 2, false, &|_, _| ()).expect("a cost");
+        let rows = cost.rows();
+        let rows: Vec<_> = rows.lines().collect();
+        assert_eq!(
+            rows.len(),
+            2 + 1 + lines * (ladder.0.len() - 1),
+            "{rows:#?}"
+        );
+        for row in &rows {
+            assert!(row.chars().count() <= 80 && row.trim_end() == *row, "{row}");
+        }
+        // Each label is whole, and each rung has a name of its own.
+        let named = rows
+            .iter()
+            .filter(|row| row.contains('=') || row.contains("as it is"));
+        let mut names: Vec<_> = named.filter_map(|row| row.split(' ').next()).collect();
+        for rung in &ladder.0 {
+            assert!(
+                rows.iter().any(|row| row.contains(&rung.label)),
+                "{rows:#?}"
+            );
+        }
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ladder.0.len(), "{names:?}");
+    }
+}
+
+#[test]
+fn no_time_is_told_as_none() {
+    let mut cost = measured(&mut scene(SCENE), &["samples=4"], 1);
+    let shown = ["12.3", "24.7"];
+    for (seconds, unit, on_page) in [
+        (0.000_012_34, "µs", "0.0123 ± 0.0002 ms"),
+        (0.012_34, "ms", "12.3 ± 0.2 ms"),
+        (12.34, "s", "12340 ± 247 ms"),
+    ] {
+        for (rung, factor) in cost.rungs.iter_mut().zip([1.0, 2.0]) {
+            rung.cpu = Timing {
+                median: factor * seconds,
+                deviation: Some(0.02 * seconds),
+            };
+            rung.wall = rung.cpu;
+        }
+        let rows = cost.rows();
+        let words: Vec<Vec<_>> = rows
+            .lines()
+            .map(|row| row.split_whitespace().collect())
+            .collect();
+        assert_eq!(words[1][..2], [unit; 2], "{rows}");
+        assert_eq!(words[2][4..6], [shown[0]; 2], "{rows}");
+        assert_eq!(words[3][2..4], [shown[1]; 2], "{rows}");
+        let page = cost.page("it", &[]).expect("a page");
+        assert!(
+            page.contains(&format!("<td>{on_page}</td>")),
+            "{on_page} in\n{page}"
+        );
+    }
+}
+
+#[test]
+fn a_step_of_a_dial_has_the_word_of_that_dial() {
+    for (rounding, others) in [("round", "truncate"), ("truncate", "round")] {
+        let image = format!("image 32 24 quantize=\"{rounding}\"");
+        let mut scene = scene(&SCENE.replace("image 32 24", &image));
+        let effects = effects_of(&scene).expect("a possible camera");
+        let ladder = Ladder::of(scene.picture, &effects);
+        let cost = cost(&mut scene, &ladder, None, 1, false, &|_, _| ()).expect("a cost");
+        let words = cost.words();
+        for expected in [
+            "\npattern: by itself stratified errs by ",
+            &format!("\nquantize: by itself {rounding} errs by "),
+            &format!(", {others} errs by "),
+            "\nnumerics: by itself robust errs by ",
+            "\npattern=random errs most ",
+            "\nquantize=truncate errs most ",
+        ] {
+            assert!(words.contains(expected), "{expected:?} in\n{words}");
+        }
+        let by_itself = words.lines().filter(|line| line.contains("by itself"));
+        for line in by_itself {
+            assert!(!line.contains("as it is") && !line.contains('='), "{line}");
+        }
+        let plot = cost.plot();
+        let both = "samples=16\nalso pattern=stratified\n";
+        assert!(plot.contains(both), "{plot}");
+    }
+}
