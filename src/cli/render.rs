@@ -15,7 +15,7 @@ use super::messages::{Json, Messages};
 use super::output::{Outputs, plan};
 use super::threads::Threads;
 use super::{FormatWord, Status, input, progress};
-use crate::film::{Format, Print, Region};
+use crate::film::{Format, Print, Region, check_place};
 use crate::language::Refusal;
 use crate::math::Rgb;
 use crate::plan::Scope;
@@ -179,6 +179,14 @@ impl Batch<'_> {
             let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
             failure(Status::Usage, error)
         })?;
+        let cannot_write = |error: std::io::Error| {
+            let error = format!("cannot write {}: {error}", output.title());
+            failure(Status::Io, error)
+        };
+        // What cannot be written need not be drawn.
+        if let Some(path) = &output.path {
+            check_place(path).map_err(cannot_write)?;
+        }
         let drawn = self.draw(&read, part, output.format, &title);
         let (mut print, counts, certificate) = drawn
             .map_err(|refusal| failure(Status::BadInput, format!("{title}: {}", refusal.reason)))?;
@@ -197,10 +205,7 @@ impl Batch<'_> {
             start,
             status: Status::Done,
         };
-        finished.write(&print).map_err(|error| {
-            let error = format!("cannot write {}: {error}", output.title());
-            failure(Status::Io, error)
-        })?;
+        finished.write(&print).map_err(cannot_write)?;
         finished.status = non_finite(&print, &finished.title, self.messages);
         Ok(finished)
     }

@@ -208,3 +208,19 @@ fn is_ignored(signal: u8) -> bool {
     let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
     mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
+
+#[test]
+fn a_name_that_is_too_long_is_refused_before_anything_is_drawn() {
+    let shell = Shell::with_scene();
+    let long = format!("{}.png", "x".repeat(300));
+    for arguments in [
+        ["render", "scene.kdl", "-o", &long],
+        ["cost", "scene.kdl", "--plot", &long],
+    ] {
+        // What only fails on writing has the system's words.
+        let run = shell.run(&arguments).ends_with(4);
+        run.says(&format!(
+            "error: cannot write {long}: its name is too long\n"
+        ));
+    }
+}
