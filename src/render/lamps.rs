@@ -17,7 +17,7 @@ struct Lit<'a> {
     departure: &'a Departure<'a>,
     point: Point,
     normal: DVec3,
-    /// From what the places of lamps are chosen that it asks.
+    /// What the points of the lamp are chosen by that rays are sent to.
     seed: Seed,
 }
 
