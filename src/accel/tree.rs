@@ -11,7 +11,7 @@ use super::slabs::Slabs;
 use super::split::{self, Item};
 use crate::math::{Bounds, Ray};
 
-/// Boxes in boxes around the surfaces that have an end; beside it are those that have none.
+/// Boxes in boxes around the surfaces that have a [`Reach`]; beside them are those that have none.
 ///
 /// Surfaces go by their places in the list.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub(super) struct Tree {
     nodes: Vec<Node>,
     /// The surfaces of all leaves.
     inside: Vec<u32>,
-    /// The surfaces without end.
+    /// The surfaces that have no reach: those without end, and slivers.
     beside: Vec<u32>,
     /// Where the coordinates of the boxes start.
     center: DVec3,
