@@ -27,7 +27,7 @@ pub(super) struct Funnel {
     reach: f64,
     /// `|d|² − ρ²`.
     opens: f64,
-    /// How much further than they are the rays and boxes are taken to reach.
+    /// By how much the rays and the boxes together are taken to be wider than they are.
     pad: f64,
     /// The sum of all lengths that this is made of.
     size: f64,

@@ -16,10 +16,11 @@ use crate::math::{Bounds, Ray};
 /// products and quotients are monotone under rounding makes a larger box one that is passed
 /// earlier, for longer, and by all rays that pass the smaller one.
 ///
-/// A ray that leaves a surface may start as far from where it ought to as its `rounding`: a surface is
-/// met at the very start that begins within that, in its corners more; and it is met behind the
-/// start that the ray crosses there, if it has not crossed it before, which is the rounding divided by
-/// a slope that is [`GRAZING`] or more. (Of a ray with less, only what lies ahead counts.)
+/// A ray that leaves a surface may start as far from where it ought to as its `rounding`. So at its very
+/// start it may meet a surface whose border is that far beside it, or further in a sharp corner: all
+/// faces are moved outward by that, too. And what it has not crossed yet may lie behind its start, by as
+/// much as the rounding divided by the slope at which it is crossed, which is [`GRAZING`] or more: the
+/// ray begins that far behind. (Of a ray with less slope, only what lies ahead counts.)
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Slabs {
     /// The origin as seen from the lower and from the higher faces, moved outward.

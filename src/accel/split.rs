@@ -1,5 +1,7 @@
 //! How a tree of boxes is built.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::tree::{Content, Node};
@@ -12,25 +14,29 @@ pub(super) struct Item {
     pub(super) bounds: Bounds,
 }
 
-/// The most boxes around a surface: 2³² halved to one leaf, beside the boxes before.
-pub(super) const DEEPEST: usize = HALVED + 33;
+/// The most boxes around a surface: those before halving begins, and those in which 2³² surfaces are
+/// halved until each is alone.
+pub(super) const DEEPEST: usize = HALVED_FROM + 33;
 
-/// From this depth on boxes are cut into halves of as many surfaces each. Smaller, and scenes with
+/// From this depth on boxes are cut into two with equally many surfaces. Smaller, and scenes with
 /// much detail in one place get bad trees; larger, and a walk needs more memory.
-const HALVED: usize = 32;
+const HALVED_FROM: usize = 32;
 
 /// The most surfaces for which cutting a box further is not considered.
 const FEW: usize = 2;
 
-/// Places at which a cut is considered, beside each other. Fewer, and trees get worse; more, and building
+/// The most surfaces in a leaf, but for those in one place.
+const MOST: usize = 8;
+
+/// How many equal parts of an axis a cut may lie between. Fewer, and trees get worse; more, and building
 /// takes longer.
 const BINS: usize = 16;
 
 /// What passing a box costs, in units of asking a surface.
 const COST_OF_BOX: f64 = 0.7;
 
-/// Boxes to be made: the place of the node, its items, and its depth.
-type Task = (usize, std::ops::Range<usize>, usize);
+/// A box that may be cut: the place of its node, its items, and its depth.
+type Task = (usize, Range<usize>, usize);
 
 /// The nodes of a tree, the root first; the items are put into the order of the leaves, and in a leaf they
 /// keep their own.
@@ -64,7 +70,7 @@ pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
     nodes
 }
 
-fn leaf(items: &[Item], range: std::ops::Range<usize>) -> Node {
+fn leaf(items: &[Item], range: Range<usize>) -> Node {
     Node {
         bounds: around(&items[range.clone()]),
         content: Content::Surfaces(small(range.start), small(range.end)),
@@ -99,7 +105,7 @@ fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
     if size.max_element() <= 0.0 {
         return None;
     }
-    if depth >= HALVED {
+    if depth >= HALVED_FROM {
         let axis = size.max_position();
         let by_center = |a: &Item, b: &Item| {
             let order = a.center()[axis].total_cmp(&b.center()[axis]);
@@ -127,10 +133,8 @@ fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
     Some(left)
 }
 
-/// The most surfaces in a leaf, but for those in one place.
-const MOST: usize = 8;
-
-/// What asking the two parts costs, for each bin that the second part can begin with.
+/// What asking the two parts costs, with the axis of the cut and the bin that the second part begins
+/// with, for each bin that it can begin with.
 fn costs(
     items: &[Item],
     centers: &Bounds,
@@ -262,7 +266,7 @@ mod tests {
     fn no_crowd_makes_a_tree_deeper_than_a_walk_has_room_for() {
         let places: Vec<_> = crowded().collect();
         let (deepest, largest) = deepest_and_largest(&places);
-        assert!((HALVED + 10..=DEEPEST).contains(&deepest), "{deepest}");
+        assert!((HALVED_FROM + 10..=DEEPEST).contains(&deepest), "{deepest}");
         assert!(largest <= MOST, "{largest}");
     }
 
@@ -270,7 +274,7 @@ mod tests {
     fn a_pile_in_a_crowd_is_one_leaf_no_deeper_than_others() {
         let places: Vec<_> = crowded().chain(vec![DVec3::ZERO; MANY]).collect();
         let (deepest, largest) = deepest_and_largest(&places);
-        assert!((HALVED..=DEEPEST).contains(&deepest), "{deepest}");
+        assert!((HALVED_FROM..=DEEPEST).contains(&deepest), "{deepest}");
         assert!(largest <= MANY, "{largest}");
     }
 }

@@ -11,7 +11,7 @@ use super::slabs::Slabs;
 use super::split::{self, Item};
 use crate::math::{Bounds, Ray};
 
-/// Boxes in boxes around the surfaces that have an end; beside it are those that have none.
+/// Boxes in boxes around the surfaces that have a [`Reach`]; beside them are those that have none.
 ///
 /// Surfaces go by their places in the list.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub(super) struct Tree {
     nodes: Vec<Node>,
     /// The surfaces of all leaves.
     inside: Vec<u32>,
-    /// The surfaces without end.
+    /// The surfaces that have no reach: those without end, and slivers.
     beside: Vec<u32>,
     /// Where the coordinates of the boxes start.
     center: DVec3,
@@ -48,13 +48,9 @@ pub(super) enum Content {
 impl Tree {
     /// The tree of these surfaces; the same for the same surfaces.
     pub(super) fn new(entries: &[Entry<'_>]) -> Self {
-        let numbered = || (0u32..).zip(entries);
         let reaches: Vec<_> = entries.iter().map(Reach::of).collect();
-        let bounded = || {
-            (0u32..)
-                .zip(&reaches)
-                .filter_map(|(index, reach)| Some((index, (*reach)?)))
-        };
+        let numbered = || (0u32..).zip(&reaches);
+        let bounded = || numbered().filter_map(|(index, reach)| Some((index, (*reach)?)));
         let corners = bounded().flat_map(|(_, reach)| [reach.bounds.min, reach.bounds.max]);
         let all = Bounds::around(corners);
         let center = all.min.midpoint(all.max);
@@ -72,7 +68,7 @@ impl Tree {
             nodes,
             inside: items.iter().map(|item| item.index).collect(),
             beside: numbered()
-                .filter(|(index, _)| reaches[*index as usize].is_none())
+                .filter(|(_, reach)| reach.is_none())
                 .map(|(index, _)| index)
                 .collect(),
             center,

@@ -45,12 +45,16 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
+    let failed = |failure: &Failure| {
+        if options.json.is_asked() {
+            messages.result(&failure.json(&options.input.scene), failure.status)
+        } else {
+            failure.status
+        }
+    };
     let reading = match options.input.read(messages) {
         Ok(reading) => reading,
-        Err(failure) if options.json.is_asked() => {
-            return messages.result(&failure.json(&options.input.scene), failure.status);
-        }
-        Err(failure) => return failure.status,
+        Err(failure) => return failed(&failure),
     };
     let pool = match Threads::ALL.pool() {
         Ok(pool) => pool,
@@ -69,11 +73,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
             } else {
                 Status::BadInput
             };
-            let failure = Failure::new(status, error, messages);
-            if options.json.is_asked() {
-                return messages.result(&failure.json(&options.input.scene), failure.status);
-            }
-            failure.status
+            failed(&Failure::new(status, error, messages))
         }
     }
 }
@@ -82,12 +82,11 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, Refusal> {
     let (scene, title) = (&reading.scene, options.input.title());
     let as_json = |value: serde_json::Value| {
-        let line = serde_json::json!({
+        let mut line = serde_json::json!({
             "scene": title,
             "exit": Status::Done.code(),
             "problems": problems_json(&reading.warnings, &scene.sources),
         });
-        let mut line = line;
         if let (Some(line), serde_json::Value::Object(value)) = (line.as_object_mut(), value) {
             line.extend(value);
         }

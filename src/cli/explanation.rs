@@ -72,15 +72,20 @@ fn light(
     explanation: &Explanation,
     title: &str,
 ) -> std::fmt::Result {
-    let all = explanation.surfaces.len();
-    let name = |index: &usize| explanation.surfaces[*index].surface.title.clone();
     writeln!(
         out,
         "  {} lights {} of {}",
         placed(&row.light, title),
         row.lights,
-        counted(all, "surface"),
+        counted(explanation.surfaces.len(), "surface"),
     )?;
+    casters(out, row, explanation)?;
+    unlit(out, row, explanation)
+}
+
+/// Which surfaces cast a shadow in a light, and which do not.
+fn casters(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::fmt::Result {
+    let name = |index: &usize| explanation.surfaces[*index].surface.title.clone();
     if row.casters.is_none() && row.lights > 0 {
         writeln!(
             out,
@@ -106,6 +111,12 @@ fn light(
         let some = casting_nothing.clone().filter(|(_, reason)| *reason == why);
         list(out, words, some.map(|(index, _)| name(index)).collect(), 4)?;
     }
+    Ok(())
+}
+
+/// Which surfaces a light does not light.
+fn unlit(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::fmt::Result {
+    let name = |index: &usize| explanation.surfaces[*index].surface.title.clone();
     for (why, words) in [
         (Unlit::Behind, "is behind or in the plane of "),
         (Unlit::Dark, "has no emissivity, so it does not light "),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::explanation::placed;
-use crate::measure::{PixelStory, Step};
+use crate::measure::{LightStep, Met, PixelStory, Step};
 use crate::scene::Scene;
 
 /// The story of a pixel for people.
@@ -46,49 +46,15 @@ fn write_text(
     Ok(())
 }
 
+/// What became of a ray and of all that it caused.
 fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Result {
     let indent = 2 * depth;
-    let share = if ray.share == [1.0; 3] {
-        String::new()
-    } else {
-        format!(", of which {} counts", color(ray.share))
-    };
-    let kind = ray.kind;
     let Some(met) = &ray.met else {
-        return writeln!(out, "{:indent$}ray {kind} meets nothing", "");
+        return writeln!(out, "{:indent$}ray {} meets nothing", "", ray.kind);
     };
-    let [x, y, z] = met.place.map(number);
-    writeln!(
-        out,
-        "{:indent$}ray {kind}{share}\n{:indent$}  meets {} after {}, at {x} {y} {z}",
-        "",
-        "",
-        placed(&met.surface, title),
-        number(met.distance),
-    )?;
-    if met.texel != [1.0; 3] {
-        writeln!(
-            out,
-            "{:indent$}  its image is {} there",
-            "",
-            color(met.texel)
-        )?;
-    }
+    meeting(out, ray, met, title, indent)?;
     for light in &ray.lights {
-        let arrives = light.arrives.map(|arrives| color(arrives) + " ");
-        let arrives = arrives.unwrap_or_default();
-        let light_title = placed(&light.light, title);
-        let partial = light.share.filter(|_| light.arrives.is_some());
-        let share = match partial.filter(|share| *share != [1.0; 3]) {
-            Some([r, g, b]) if r == g && g == b => format!(": {} of its light passes", number(r)),
-            Some(share) => format!(": {} of its light passes", color(share)),
-            None => String::new(),
-        };
-        writeln!(
-            out,
-            "{:indent$}  {light_title}: {arrives}{}{share}",
-            "", light.what
-        )?;
+        arrival(out, light, title, indent)?;
     }
     let its_own = match ray.of_lamps {
         _ if met.glows => "of its own glow".to_owned(),
@@ -117,6 +83,58 @@ fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Re
         )?;
     }
     Ok(())
+}
+
+/// Where a ray meets a surface, and which.
+fn meeting(
+    out: &mut String,
+    ray: &Step,
+    met: &Met,
+    title: &str,
+    indent: usize,
+) -> std::fmt::Result {
+    let kind = ray.kind;
+    let share = if ray.share == [1.0; 3] {
+        String::new()
+    } else {
+        format!(", of which {} counts", color(ray.share))
+    };
+    let [x, y, z] = met.place.map(number);
+    writeln!(
+        out,
+        "{:indent$}ray {kind}{share}\n{:indent$}  meets {} after {}, at {x} {y} {z}",
+        "",
+        "",
+        placed(&met.surface, title),
+        number(met.distance),
+    )?;
+    if met.texel != [1.0; 3] {
+        writeln!(
+            out,
+            "{:indent$}  its image is {} there",
+            "",
+            color(met.texel)
+        )?;
+    }
+    Ok(())
+}
+
+/// What arrives there from a light or a lamp.
+fn arrival(out: &mut String, light: &LightStep, title: &str, indent: usize) -> std::fmt::Result {
+    let arrives = light.arrives.map(|arrives| color(arrives) + " ");
+    let arrives = arrives.unwrap_or_default();
+    let light_title = placed(&light.light, title);
+    let partial = light.share.filter(|_| light.arrives.is_some());
+    let share = match partial.filter(|share| *share != [1.0; 3]) {
+        Some([r, g, b]) if r == g && g == b => format!(": {} of its light passes", number(r)),
+        Some(share) => format!(": {} of its light passes", color(share)),
+        None => String::new(),
+    };
+    writeln!(
+        out,
+        "{:indent$}  {light_title}: {arrives}{}{share}",
+        "", light.what
+    )
 }
 
 /// What the picture's file says of a colour.

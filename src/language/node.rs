@@ -173,11 +173,11 @@ impl Node {
     /// Where to point for an attribute: at it, or at the node if the attribute is not given.
     #[must_use]
     pub fn place(&self, word: &str) -> Option<Location> {
-        let properties = self
-            .properties
-            .iter()
-            .find(|entry| entry.attribute.word == word);
-        let entry = self.entry(word).or(properties);
+        let property = || {
+            let mut properties = self.properties.iter();
+            properties.find(|property| property.attribute.word == word)
+        };
+        let entry = self.entry(word).or_else(property);
         entry.and_then(|entry| entry.location).or(self.location)
     }
 

@@ -150,7 +150,7 @@ impl Range {
     /// are still finite, so a scene of usual size can be scaled by 2²⁰⁰.
     pub const LARGEST: f64 = f64::from_bits((1023 + 250) << 52);
 
-    /// The smallest radius of a round thing, 2^-250: the squares of its reciprocal must be numbers.
+    /// The smallest radius of a round thing, 2⁻²⁵⁰: the squares of its reciprocal must be numbers.
     pub const SMALLEST_RADIUS: f64 = f64::from_bits((1023 - 250) << 52);
 
     /// Whether a number lies in the range.
@@ -209,12 +209,6 @@ impl Takes {
 }
 
 impl Attribute {
-    /// Whether only the direction of its three numbers counts.
-    #[must_use]
-    pub fn is_direction(&self) -> bool {
-        self.takes == Takes::Triple && self.unit.is_empty()
-    }
-
     /// An attribute without unit, default or properties; a start for the `const` tables.
     #[must_use]
     pub const fn new(word: &'static str, takes: Takes, about: &'static str) -> Self {
@@ -253,5 +247,11 @@ impl Attribute {
     #[must_use]
     pub const fn with(self, properties: &'static [Self]) -> Self {
         Self { properties, ..self }
+    }
+
+    /// Whether only the direction of its three numbers counts.
+    #[must_use]
+    pub fn is_direction(&self) -> bool {
+        self.takes == Takes::Triple && self.unit.is_empty()
     }
 }

@@ -12,18 +12,15 @@ pub fn did_you_mean<'a>(
     if word.chars().count() > LONGEST {
         return None;
     }
+    let wrong = |candidate: &str| {
+        strsim::damerau_levenshtein(&word.to_lowercase(), &candidate.to_lowercase())
+    };
+    let letters = |candidate: &str| word.chars().count().max(candidate.chars().count());
     candidates
         .into_iter()
-        .map(|candidate| {
-            (
-                strsim::damerau_levenshtein(&word.to_lowercase(), &candidate.to_lowercase()),
-                candidate,
-            )
-        })
-        .filter(|(distance, candidate)| {
-            3 * distance <= word.chars().count().max(candidate.chars().count())
-        })
-        .min_by_key(|(distance, _)| *distance)
+        .map(|candidate| (wrong(candidate), candidate))
+        .filter(|(wrong, candidate)| 3 * wrong <= letters(candidate))
+        .min_by_key(|(wrong, _)| *wrong)
         .map(|(_, candidate)| candidate)
 }
 

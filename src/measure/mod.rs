@@ -34,5 +34,5 @@ pub use light_tests::LightTests;
 pub use plot::{Curve, Figure, Panel, Scale};
 pub use prices::{Effort, Price, Prices, prices};
 pub use similarity::similarity;
-pub use transcript::{PixelStory, Step, transcript};
+pub use transcript::{LightStep, Met, PixelStory, Step, transcript};
 pub use without::{round_trip, without};

@@ -116,9 +116,10 @@ fn texture_filter(plan: &Plan<'_>) -> Decision {
         return Decision::new(Effect::TextureFilter, why, Vec::new());
     }
     let textures = decide(plan, Effect::Textures);
-    let why = match textures.on {
-        true => format!("`texture-filter` asks for {:?}", filter.word()),
-        false => textures.why,
+    let why = if textures.on {
+        format!("`texture-filter` asks for {:?}", filter.word())
+    } else {
+        textures.why
     };
     Decision::new(Effect::TextureFilter, why, textures.causes)
 }
@@ -165,7 +166,7 @@ fn of_picture(plan: &Plan<'_>, calls: bool) -> Vec<Cause> {
         .collect()
 }
 
-/// What surfaces call for that rays can meet.
+/// What is called for by surfaces that rays can meet.
 fn of_surfaces(
     plan: &Plan<'_>,
     effect: Effect,
@@ -190,7 +191,7 @@ fn of_surfaces(
     Decision::new(effect, why, causes.collect())
 }
 
-/// What lights call for that light something.
+/// What is called for by lights that light something.
 fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) -> Decision {
     let lights = plan.scene.lights.iter().zip(&plan.unlit);
     let calling: Vec<_> = lights.filter(|(light, _)| calls(light)).collect();

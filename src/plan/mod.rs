@@ -95,51 +95,28 @@ impl<'a> Plan<'a> {
         let elides = scope == Scope::CalledFor && classic.is_none();
         let sight = elides.then(|| Sight::new(&surfaces, &camera));
         let seen = Seen::all(scene, sight.as_ref(), &camera);
-        let unlit: Vec<Vec<_>> = scene
-            .lights
-            .iter()
-            .map(|light| {
-                let pairs = scene.surfaces.iter().zip(&seen);
-                pairs
-                    .map(|(surface, seen)| Unlit::reason(light, &**surface, seen.is_seen()))
-                    .map(|why| why.filter(|why| elides || why.is_rule()))
-                    .collect()
-            })
-            .collect();
+        let unlit = Unlit::by_lights(scene, &seen, elides);
         let places = scene.lights.iter().map(|light| light.location);
         let lights = |light: usize, surface: usize| unlit[light][surface].is_none();
         let light_views = LightView::all(&surfaces, places, elides, lights);
         let mut lamp_views = LampView::all(&surfaces, &scene.surfaces, !elides);
-        let unlit_by_lamp: Vec<Vec<_>> = lamp_views
-            .iter()
-            .map(|view| {
-                let pairs = surfaces.entries().iter().zip(&seen);
-                pairs
-                    .map(|(entry, seen)| Unlit::by_lamp(view, entry, seen.is_seen()))
-                    .map(|why| why.filter(|why| elides || why.is_rule()))
-                    .collect()
-            })
-            .collect();
+        let unlit_by_lamp = Unlit::by_lamps(&lamp_views, surfaces.entries(), &seen, elides);
         for (view, unlit) in lamp_views.iter_mut().zip(&unlit_by_lamp) {
             view.retain(|surface| unlit[surface].is_none());
         }
-        let outlines = (scene.picture.max_error > 0.0).then(|| {
-            let surfaces = scene.surfaces.iter().map(|it| &**it);
-            let Picture { width, height, .. } = scene.picture;
-            Outlines::new(surfaces, &camera, [width, height])
-        });
+        let outlines = outlines(scene, &camera);
         let all_asked = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
             camera,
+            surfaces,
             sight: sight.filter(|_| all_asked),
             light_views,
             lamp_views,
-            surfaces,
             seen,
-            outlines,
             unlit,
             unlit_by_lamp,
+            outlines,
             tail: Tail::new(scene),
             filter: filter(scene, scope),
             scope,
@@ -158,6 +135,20 @@ impl<'a> Plan<'a> {
     pub fn decisions(&self) -> Vec<Decision> {
         decide::all(self)
     }
+}
+
+/// The outlines in a picture that sends more rays through some pixels than through others.
+fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
+    let Picture {
+        width,
+        height,
+        max_error,
+        ..
+    } = scene.picture;
+    (max_error > 0.0).then(|| {
+        let surfaces = scene.surfaces.iter().map(AsRef::as_ref);
+        Outlines::new(surfaces, camera, [width, height])
+    })
 }
 
 /// The filter of a scene whose textures it makes a difference to.

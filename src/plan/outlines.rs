@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::camera::Camera;
 use crate::film::Region;
+use crate::math::unit;
 use crate::surface::Surface;
 
 /// The outlines of surfaces as lines in a picture.
@@ -19,8 +20,8 @@ pub struct Outlines {
     lines: Vec<Line>,
 }
 
-/// The ends of a line: their places in pixels from the centre of the lower-left one, and one over
-/// their depths, which is linear in the picture, too.
+/// The ends of a line: their places in pixels from the centre of the lower-left one, and one divided
+/// by their depths, which is linear in the picture, too.
 type Line = [DVec3; 2];
 
 /// For each pixel of a part of a picture, how near to the eye the nearest outline is that runs through
@@ -89,26 +90,16 @@ impl OutlineDepths {
     fn draw(&mut self, [from, to]: &Line, height: usize) {
         let [left, top, right, bottom] = self.part.corners();
         // Lines count rows from the bottom.
-        let rows = touched(
-            from.y.min(to.y),
-            from.y.max(to.y),
-            height - bottom..height - top,
-        );
-        for row in rows {
-            let (low, high) = reach(row);
+        for row in touched([from.y, to.y], height - bottom..height - top) {
             let rise = to.y - from.y;
-            let [mut enters, mut leaves] = [0.0, 1.0];
-            if rise != 0.0 {
-                let at = [low, high].map(|y| ((y - from.y) / rise).clamp(0.0, 1.0));
-                [enters, leaves] = [at[0].min(at[1]), at[0].max(at[1])];
-            }
-            let ends = [enters, leaves].map(|at| *from + (*to - *from) * at);
-            let columns = touched(
-                ends[0].x.min(ends[1].x),
-                ends[0].x.max(ends[1].x),
-                left..right,
-            );
-            let depth = 1.0 / ends[0].z.max(ends[1].z);
+            let crossings = if rise == 0.0 {
+                [0.0, 1.0]
+            } else {
+                reach(row).map(|y| ((y - from.y) / rise).clamp(0.0, 1.0))
+            };
+            let [one, other] = crossings.map(|at| *from + (*to - *from) * at);
+            let columns = touched([one.x, other.x], left..right);
+            let depth = 1.0 / one.z.max(other.z);
             let start = (height - 1 - row - top) * self.part.width;
             for column in columns {
                 let nearest = &mut self.nearest[start + column - left];
@@ -122,16 +113,11 @@ impl OutlineDepths {
 /// far beside it.
 fn within([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
     let [width, height] = size.map(f64::from);
+    // How far inside each side of the picture it is, with the sides a pixel further out; between any
+    // two of them depths are above zero.
+    let inside = |DVec3 { x, y, z }| [x + z, width * z - x, y + z, height * z - y];
     let (mut enters, mut leaves) = (0.0f64, 1.0f64);
-    // The sides of the picture, a pixel further out; between any two of them depths are above
-    // zero.
-    for inside in [
-        |it: DVec3, _: f64, _: f64| it.x + it.z,
-        |it: DVec3, width: f64, _: f64| width * it.z - it.x,
-        |it: DVec3, _: f64, _: f64| it.y + it.z,
-        |it: DVec3, _: f64, height: f64| height * it.z - it.y,
-    ] {
-        let [before, after] = [start, end].map(|it| inside(it, width, height));
+    for (before, after) in inside(start).into_iter().zip(inside(end)) {
         if before < 0.0 && after < 0.0 {
             return None;
         }
@@ -154,7 +140,7 @@ fn silhouette(eye: DVec3, [center, axes]: [DVec3; 2]) -> Vec<DVec3> {
     // touches it, at right angles to the radius.
     let eye = (eye - center) / axes;
     let far = eye.length_squared();
-    let Some(toward) = crate::math::unit(eye).filter(|_| far > 1.0) else {
+    let Some(toward) = unit(eye).filter(|_| far > 1.0) else {
         return Vec::new();
     };
     let radius = (1.0 - 1.0 / far).sqrt();
@@ -169,26 +155,26 @@ fn silhouette(eye: DVec3, [center, axes]: [DVec3; 2]) -> Vec<DVec3> {
 }
 
 /// From where to where a column or row of pixels reaches that an outline touches.
-fn reach(pixel: usize) -> (f64, f64) {
+fn reach(pixel: usize) -> [f64; 2] {
     #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
     let center = pixel as f64;
-    (center - 0.5 - HALF_WIDTH, center + 0.5 + HALF_WIDTH)
+    [center - 0.5 - HALF_WIDTH, center + 0.5 + HALF_WIDTH]
 }
 
-/// Those of some columns or rows that an outline touches which reaches from `low` to `high`.
-fn touched(low: f64, high: f64, pixels: Range<usize>) -> Range<usize> {
-    let (first, last) = (low - HALF_WIDTH + 0.5, high + HALF_WIDTH + 0.5);
+/// Those of some columns or rows that an outline touches between two places, in either order.
+fn touched([one, other]: [f64; 2], pixels: Range<usize>) -> Range<usize> {
+    let (first, last) = (
+        one.min(other) - HALF_WIDTH + 0.5,
+        one.max(other) + HALF_WIDTH + 0.5,
+    );
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "casts from float saturate"
     )]
-    let end = if last < 0.0 { 0 } else { last as usize + 1 };
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "casts from float saturate"
-    )]
-    let start = first as usize;
+    let (start, end) = (
+        first as usize,
+        if last < 0.0 { 0 } else { last as usize + 1 },
+    );
     start.max(pixels.start)..end.min(pixels.end)
 }

@@ -34,11 +34,11 @@ impl Seen {
     /// one; what lies wholly on the side to which none go is not met by them. Something round
     /// sends rays anywhere.
     pub(super) fn all(scene: &Scene, sight: Option<&Sight<'_>>, camera: &Camera) -> Vec<Self> {
-        let Picture { width, height, .. } = scene.picture;
         let count = scene.surfaces.len();
         let Some(sight) = sight else {
             return vec![Self::Directly; count];
         };
+        let Picture { width, height, .. } = scene.picture;
         let in_sight = sight.seen([width, height], count);
         let mut seen: Vec<_> = in_sight
             .into_iter()
@@ -51,51 +51,88 @@ impl Seen {
             }
             return seen;
         }
-        let eye = Point::exact(camera.viewpoint());
-        let boxes: Vec<_> = scene.surfaces.iter().map(|it| met_within(&**it)).collect();
-        // The flat surfaces that rays arrive at, and the sides that they arrive from.
-        let mut arrivals = Vec::new();
-        let mut arrived = vec![[false; 2]; count];
-        let mut arrive = |index: usize, side: Side, arrivals: &mut Vec<_>| {
-            let known = &mut arrived[index][usize::from(side == Side::Back)];
-            if sends_on(&*scene.surfaces[index]) && !std::mem::replace(known, true) {
-                arrivals.push((index, side));
-            }
-        };
-        for (index, surface) in scene.surfaces.iter().enumerate() {
-            for side in SIDES {
-                let is_here = surface.flat().is_none() || surface.side(&eye) != other(side);
-                if seen[index] == Self::Directly && is_here {
-                    arrive(index, side, &mut arrivals);
-                }
-            }
+        let mut spread = Spread::new(scene, seen);
+        spread.arrive_from_eye(&Point::exact(camera.viewpoint()));
+        while let Some((sender, side)) = spread.waiting.pop() {
+            spread.send_on(sender, side);
         }
-        while let Some((from, side)) = arrivals.pop() {
-            let sender = &*scene.surfaces[from];
-            for (index, surface) in scene.surfaces.iter().enumerate() {
-                let goes = |to: Side| can_go(sender, side, to, boxes[index].as_ref());
-                if index == from || !SIDES.into_iter().any(goes) {
-                    continue;
-                }
-                if seen[index] == Self::Never {
-                    seen[index] = Self::SentOn;
-                }
-                for side in SIDES {
-                    let flat = surface.flat();
-                    let sends = boxes[from].as_ref();
-                    if flat.is_none_or(|flat| !is_beyond(sends, flat, other(side))) {
-                        arrive(index, side, &mut arrivals);
-                    }
-                }
-            }
-        }
-        seen
+        spread.seen
     }
 
     /// Whether any ray can meet it.
     #[must_use]
     pub fn is_seen(self) -> bool {
         self != Self::Never
+    }
+}
+
+/// Rays on their way from surface to surface.
+#[derive(Debug)]
+struct Spread<'s> {
+    surfaces: &'s [Box<dyn Surface>],
+    /// A box in which each surface is met; `None` if it has no end.
+    boxes: Vec<Option<Bounds>>,
+    /// How rays can meet each surface, as far as that is known yet.
+    seen: Vec<Seen>,
+    /// Whether rays arrive at the front and at the back of each surface that sends them on.
+    arrived: Vec<[bool; 2]>,
+    /// The surfaces and sides that rays arrive at which have not been sent on yet.
+    waiting: Vec<(usize, Side)>,
+}
+
+impl<'s> Spread<'s> {
+    fn new(scene: &'s Scene, seen: Vec<Seen>) -> Self {
+        let surfaces = &scene.surfaces[..];
+        Self {
+            surfaces,
+            boxes: surfaces.iter().map(|it| met_within(&**it)).collect(),
+            seen,
+            arrived: vec![[false; 2]; surfaces.len()],
+            waiting: Vec::new(),
+        }
+    }
+
+    /// Rays arrive from the eye at all surfaces that it sees.
+    fn arrive_from_eye(&mut self, eye: &Point) {
+        for (index, surface) in self.surfaces.iter().enumerate() {
+            for side in SIDES {
+                let is_here = surface.flat().is_none() || surface.side(eye) != other(side);
+                if self.seen[index] == Seen::Directly && is_here {
+                    self.arrive(index, side);
+                }
+            }
+        }
+    }
+
+    /// Rays that arrived at one side of a surface go on to all that they can meet then.
+    fn send_on(&mut self, sender: usize, from: Side) {
+        for (index, surface) in self.surfaces.iter().enumerate() {
+            let can_meet = |to: Side| {
+                let bounds = self.boxes[index].as_ref();
+                can_go(&*self.surfaces[sender], from, to, bounds)
+            };
+            if index == sender || !SIDES.into_iter().any(can_meet) {
+                continue;
+            }
+            if self.seen[index] == Seen::Never {
+                self.seen[index] = Seen::SentOn;
+            }
+            for side in SIDES {
+                let start = self.boxes[sender].as_ref();
+                let flat = surface.flat();
+                if flat.is_none_or(|flat| !is_beyond(start, flat, other(side))) {
+                    self.arrive(index, side);
+                }
+            }
+        }
+    }
+
+    /// Rays arrive at one side of a surface, which may send them on.
+    fn arrive(&mut self, index: usize, side: Side) {
+        let known = &mut self.arrived[index][usize::from(side == Side::Back)];
+        if sends_on(&*self.surfaces[index]) && !std::mem::replace(known, true) {
+            self.waiting.push((index, side));
+        }
     }
 }
 

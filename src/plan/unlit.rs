@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-use super::beam;
+use super::{Seen, beam};
 use crate::accel::{Entry, LampView};
 use crate::light::{Beam, Light};
 use crate::math::{Point, Side};
+use crate::scene::Scene;
 use crate::surface::Surface;
 
 /// Why the light of a light never arrives at a surface, so that no ray asks for it.
@@ -27,10 +28,39 @@ pub enum Unlit {
 }
 
 impl Unlit {
+    /// What keeps each light from each surface. Unless savings are wanted, only the rules of the
+    /// picture are named.
+    pub(super) fn by_lights(scene: &Scene, seen: &[Seen], saves: bool) -> Vec<Vec<Option<Self>>> {
+        let of_light = |light| {
+            let surfaces = scene.surfaces.iter().zip(seen);
+            surfaces
+                .map(|(surface, seen)| Self::reason(light, &**surface, seen.is_seen()))
+                .map(|why| why.filter(|why| saves || why.is_rule()))
+                .collect()
+        };
+        scene.lights.iter().map(of_light).collect()
+    }
+
+    /// What keeps each lamp from each surface, as [`by_lights`](Self::by_lights).
+    pub(super) fn by_lamps(
+        views: &[LampView<'_>],
+        entries: &[Entry<'_>],
+        seen: &[Seen],
+        saves: bool,
+    ) -> Vec<Vec<Option<Self>>> {
+        let of_lamp = |view| {
+            let surfaces = entries.iter().zip(seen);
+            surfaces
+                .map(|(entry, seen)| Self::by_lamp(view, entry, seen.is_seen()))
+                .map(|why| why.filter(|why| saves || why.is_rule()))
+                .collect()
+        };
+        views.iter().map(of_lamp).collect()
+    }
+
     /// The reason that keeps a light from a surface; `None` if it may light it. `is_seen` tells
     /// whether any ray can meet the surface.
-    #[must_use]
-    pub fn reason(light: &Light, surface: &dyn Surface, is_seen: bool) -> Option<Self> {
+    fn reason(light: &Light, surface: &dyn Surface, is_seen: bool) -> Option<Self> {
         if Self::is_behind(light, surface) {
             return Some(Self::Behind);
         }
@@ -63,8 +93,7 @@ impl Unlit {
     }
 
     /// The reason that keeps the light of a lamp from a surface, as [`reason`](Self::reason).
-    #[must_use]
-    pub fn by_lamp(view: &LampView<'_>, entry: &Entry<'_>, is_seen: bool) -> Option<Self> {
+    fn by_lamp(view: &LampView<'_>, entry: &Entry<'_>, is_seen: bool) -> Option<Self> {
         let surface = entry.surface;
         let [_, diffuse] = surface.brightest();
         // Lamps make no glints.
@@ -81,8 +110,7 @@ impl Unlit {
     }
 
     /// Whether this is a rule of the picture, not only a saving.
-    #[must_use]
-    pub fn is_rule(self) -> bool {
+    fn is_rule(self) -> bool {
         self == Self::Behind
     }
 

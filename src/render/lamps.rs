@@ -17,7 +17,7 @@ struct Lit<'a> {
     departure: &'a Departure<'a>,
     point: Point,
     normal: DVec3,
-    /// From what the places of lamps are chosen that it asks.
+    /// What the points of the lamp are chosen by that rays are sent to.
     seed: Seed,
 }
 
@@ -58,9 +58,7 @@ impl Tracer<'_> {
                 probe.light(lamp, Arrival::Behind);
                 continue;
             }
-            let mut light = diffuse * view.lamp.emissivity() * arriving;
-            let mut passed = Rgb::WHITE;
-            if entry.common.shadows.receive {
+            let passed = if entry.common.shadows.receive {
                 let lit = Lit {
                     lamp,
                     departure,
@@ -68,15 +66,17 @@ impl Tracer<'_> {
                     normal: hit.normal,
                     seed: seed.of_lamp(number),
                 };
-                passed = self.share_of_lamp(entry, view, &lit, probe);
-                light = light * passed;
-            }
+                self.share_of_lamp(entry, view, &lit, probe)
+            } else {
+                Rgb::WHITE
+            };
+            let emissivity = view.lamp.emissivity();
             let arrival = Arrival::Lamp {
-                color: view.lamp.emissivity() * arriving * passed,
+                color: emissivity * arriving * passed,
                 passed,
             };
             probe.light(lamp, arrival);
-            color = (color + light).saturated();
+            color = (color + diffuse * emissivity * arriving * passed).saturated();
         }
         color
     }

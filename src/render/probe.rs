@@ -15,7 +15,7 @@ pub enum RayKind {
     Lamp,
     /// Mirrored by a surface.
     Mirror,
-    /// Straight through a surface.
+    /// Through a surface, straight on or bent.
     Transmitted,
 }
 
@@ -24,7 +24,7 @@ pub enum RayKind {
 pub enum Unfollowed {
     /// The way from the eye is longer than the scene's `reach`.
     BeyondReach,
-    /// It could add no more than this to its pixel, which the `cut-off` allows to lack.
+    /// It could add no more than this to its pixel, and so much may be missing by the `cut-off`.
     TooFaint(f64),
     /// Its ray from the eye has caused as many others as it may; it could have added this much.
     Capped(f64),

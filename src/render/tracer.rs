@@ -1,7 +1,9 @@
 //! The colour along one ray.
 
+use glam::DVec3;
+
 use crate::accel::Entry;
-use crate::math::{Beam, Ray, Rgb};
+use crate::math::{Beam, Departure, Ray, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
@@ -32,6 +34,34 @@ struct Path<'a> {
     seed: Seed,
     /// The rays around it, if a filter asks for them.
     beam: Option<&'a Beam>,
+}
+
+/// Where a ray met a surface, and what rays that the surface sends on have to know of it.
+#[derive(Debug, Clone, Copy)]
+struct Meeting<'m, 'a> {
+    entry: &'m Entry<'a>,
+    hit: &'m Hit,
+    ray: &'m Ray<'m>,
+    path: &'m Path<'m>,
+    /// What rounding may have done to the path up to here.
+    errors: Errors,
+    /// Distance from the eye to here, along all mirrors.
+    travelled: f64,
+    /// What light from here is divided by for that distance.
+    divisor: f64,
+    departure: &'m Departure<'m>,
+}
+
+/// A ray that a surface sends on.
+#[derive(Debug, Clone, Copy)]
+struct Onward<'a> {
+    kind: RayKind,
+    /// The share of what it brings back that the surface passes on.
+    share: Rgb,
+    dir: DVec3,
+    turn: Turn,
+    /// What it is inside of.
+    media: Media<'a>,
 }
 
 impl<'a> Tracer<'a> {
@@ -120,75 +150,72 @@ impl<'a> Tracer<'a> {
             hit.texel = self.texel_over(entry, hit, beam);
         }
         let hit = &*hit;
-        let follows_errors = probe.follows_errors();
-        let errors = if follows_errors {
+        let errors = if probe.follows_errors() {
             path.errors.at(ray, hit, entry.surface)
         } else {
             Errors::default()
         };
         probe.met(entry.index, hit, errors);
-        let surface = entry.surface;
-        let material = &entry.common.material;
         let travelled = path.travelled + hit.t;
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
-        let everything = self.plan.scope == Scope::Everything;
-        let sends_on = entry.sends_on || everything;
-        if !sends_on && self.plan.is_unlit() {
+        let sends_on = entry.sends_on || self.plan.scope == Scope::Everything;
+        let color = if !sends_on && self.plan.is_unlit() {
             // No ray leaves here, so nothing has to be known of rays that would.
-            let color = (surface.getamb(hit) / divisor).saturated();
+            let color = (entry.surface.getamb(hit) / divisor).saturated();
             probe.own_color(color, Rgb::BLACK);
-            probe.came_back(color);
-            return color;
-        }
-        let departure = entry.departure(ray, hit);
-        let lit = (&departure, divisor, path.seed);
-        let mut color = self.own_color(ray, (entry, hit), lit, probe);
-        if !sends_on {
-            probe.came_back(color);
-            return color;
-        }
-
-        let boundary = path.media.boundary(material, ray.dir, hit.normal);
-        let everything = everything && path.weight > 0.0;
-        let follow = |share: Rgb, (dir, media, turn), kind, budget: &mut _, probe: &mut _| {
-            let beam = path
-                .beam
-                .map(|beam| self.onward(beam, entry, (ray, hit), (kind, dir)));
-            let path = Path {
-                travelled,
-                weight: path.weight * share.largest(),
-                media,
-                errors: if follows_errors {
-                    errors.behind(surface, turn, ray.dir, hit.normal)
-                } else {
-                    errors
-                },
-                seed: path.seed.next(),
-                beam: beam.as_ref(),
-            };
-            let uncalled = path.weight == 0.0 && everything;
-            let worth = self.is_worth_following(&path, divisor, budget);
-            if let (Err(why), false) = (worth, uncalled) {
-                Probe::not_followed(probe, kind, why);
-                return Rgb::BLACK;
+            color
+        } else {
+            let departure = &entry.departure(ray, hit);
+            let lit = (departure, divisor, path.seed);
+            let own = self.own_color(ray, (entry, hit), lit, probe);
+            if sends_on {
+                let meeting = Meeting {
+                    entry,
+                    hit,
+                    ray,
+                    path,
+                    errors,
+                    travelled,
+                    divisor,
+                    departure,
+                };
+                self.with_sent_on(own, &meeting, budget, probe)
+            } else {
+                own
             }
-            Probe::ray(probe, kind, share);
-            let next = Ray::leaving(&departure, dir);
-            // What nothing called for must not move, by so much as a rounding, what others may spend.
-            let mut nothing = Budget::NOTHING;
-            let budget = if uncalled { &mut nothing } else { budget };
-            share * self.trace(&next, &path, budget, probe)
         };
-        Probe::own_share(probe, boundary.passing * (1.0 - material.transparency));
-        color = color * boundary.passing;
+        probe.came_back(color);
+        color
+    }
+
+    /// The colour of a surface whose own colour this is, with what comes through it and from before it.
+    fn with_sent_on(
+        &self,
+        own: Rgb,
+        meeting: &Meeting<'_, 'a>,
+        budget: &mut Budget,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let Meeting { hit, ray, path, .. } = *meeting;
+        let surface = meeting.entry.surface;
+        let material = &meeting.entry.common.material;
+        let boundary = path.media.boundary(material, ray.dir, hit.normal);
+        let everything = self.sends_uncalled(path);
+        probe.own_share(boundary.passing * (1.0 - material.transparency));
+        let mut color = own * boundary.passing;
         if material.transparency > 0.0 || everything {
             // Of two rays each may cost what it weighs: in glass both go on and on.
             let is_called = material.transparency > 0.0;
             let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
-                let share = surface.transmits(hit) * boundary.passing;
-                let onward = (dir, boundary.beyond, boundary.turn);
-                follow(share, onward, RayKind::Transmitted, budget, probe)
+                let next = Onward {
+                    kind: RayKind::Transmitted,
+                    share: surface.transmits(hit) * boundary.passing,
+                    dir,
+                    turn: boundary.turn,
+                    media: boundary.beyond,
+                };
+                self.follow(next, meeting, budget, probe)
             });
             if let Some(aside) = aside {
                 budget.take_back(aside);
@@ -196,12 +223,68 @@ impl<'a> Tracer<'a> {
             color = (color * (1.0 - material.transparency) + through).saturated();
         }
         if !boundary.mirrored.is_black() || everything {
-            let onward = (ray.mirrored(hit.normal), path.media, Turn::Mirrored);
-            let mirrored = follow(boundary.mirrored, onward, RayKind::Mirror, budget, probe);
-            color = (color + mirrored).saturated();
+            let next = Onward {
+                kind: RayKind::Mirror,
+                share: boundary.mirrored,
+                dir: ray.mirrored(hit.normal),
+                turn: Turn::Mirrored,
+                media: path.media,
+            };
+            color = (color + self.follow(next, meeting, budget, probe)).saturated();
         }
-        probe.came_back(color);
         color
+    }
+
+    /// What a ray that a surface sends on adds to the surface's colour.
+    fn follow(
+        &self,
+        next: Onward<'_>,
+        meeting: &Meeting<'_, 'a>,
+        budget: &mut Budget,
+        probe: &mut impl Probe,
+    ) -> Rgb {
+        let Meeting {
+            entry,
+            hit,
+            ray,
+            path,
+            ..
+        } = *meeting;
+        let beam = path
+            .beam
+            .map(|beam| self.onward(beam, entry, (ray, hit), (next.kind, next.dir)));
+        let onward = Path {
+            travelled: meeting.travelled,
+            weight: path.weight * next.share.largest(),
+            media: next.media,
+            errors: if probe.follows_errors() {
+                meeting
+                    .errors
+                    .behind(entry.surface, next.turn, ray.dir, hit.normal)
+            } else {
+                meeting.errors
+            },
+            seed: path.seed.next(),
+            beam: beam.as_ref(),
+        };
+        let uncalled = onward.weight == 0.0 && self.sends_uncalled(path);
+        let worth = self.is_worth_following(&onward, meeting.divisor, budget);
+        if let (Err(why), false) = (worth, uncalled) {
+            probe.not_followed(next.kind, why);
+            return Rgb::BLACK;
+        }
+        probe.ray(next.kind, next.share);
+        // What nothing called for must not move, by so much as a rounding, what others may spend.
+        let mut nothing = Budget::NOTHING;
+        let budget = if uncalled { &mut nothing } else { budget };
+        let ray = Ray::leaving(meeting.departure, next.dir);
+        next.share * self.trace(&ray, &onward, budget, probe)
+    }
+
+    /// Whether what a path meets sends on even rays that nothing calls for. Those have no weight, and what
+    /// they meet sends on no others.
+    fn sends_uncalled(&self, path: &Path) -> bool {
+        self.plan.scope == Scope::Everything && path.weight > 0.0
     }
 
     /// Whether a path goes on; if not, what it could still have brought is spent.

@@ -25,14 +25,14 @@ impl Turn {
             Self::Mirrored => [beside, mirrored(direction, tilt)],
             Self::Bent(ratio) => bent([beside, direction], tilt, ratio, cosine),
         };
-        // To first order says nothing of large angles.
+        // What holds to first order says nothing of large angles.
         let is_small = direction < 1.0;
         [beside, if is_small { direction } else { f64::INFINITY }]
     }
 }
 
 /// By how much the direction may be wrong behind a mirror whose normal is off by `tilt`: by twice
-/// that more.
+/// that more than before it.
 fn mirrored(direction: f64, tilt: f64) -> f64 {
     // Twice the product with the normal is off by 6 u, and taking it off and making the rest
     // unit add 3 and 5.

@@ -17,11 +17,9 @@ pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
         .with_property("cut-off", 0.0);
     picture.value = given("size").and_then(|size| size.value.clone());
     let mut view = Node::new(&View::SCHEMA, None);
-    for word in ["viewpoint", "screen"] {
-        if let Some((given, value)) =
-            given(word).and_then(|given| Some((given, given.value.clone()?)))
-        {
-            view = view.with(word, value).last_at(given.at);
+    for given in ["viewpoint", "screen"].into_iter().filter_map(given) {
+        if let Some(value) = &given.value {
+            view = view.with(given.word.means, value.clone()).last_at(given.at);
         }
     }
     for node in [&mut picture, &mut view] {

@@ -50,6 +50,27 @@ pub(super) enum Role {
 }
 
 impl Entity {
+    pub(super) const fn new(
+        word: &'static str,
+        schema: &'static Schema,
+        words: &'static [&'static [Word]],
+    ) -> Self {
+        Self {
+            word,
+            schema,
+            without: None,
+            words,
+        }
+    }
+
+    /// The same entity, which is a node of this kind without a certain attribute.
+    pub(super) const fn without(self, word: &'static str, schema: &'static Schema) -> Self {
+        Self {
+            without: Some((word, schema)),
+            ..self
+        }
+    }
+
     /// The kind with this word.
     pub(super) fn find(word: &str) -> Option<&'static Self> {
         ENTITIES.iter().find(|entity| entity.word == word)
@@ -64,40 +85,9 @@ impl Entity {
     pub(super) fn word(&self, word: &str) -> Option<&'static Word> {
         self.words().find(|known| known.word == word)
     }
-
-    pub(super) const fn new(
-        word: &'static str,
-        schema: &'static Schema,
-        words: &'static [&'static [Word]],
-    ) -> Self {
-        Self {
-            word,
-            schema,
-            without: None,
-            words,
-        }
-    }
-
-    pub(super) const fn without(self, word: &'static str, schema: &'static Schema) -> Self {
-        Self {
-            without: Some((word, schema)),
-            ..self
-        }
-    }
 }
 
 impl Word {
-    /// The type of its value.
-    pub(super) fn takes(&self, entity: &Entity) -> Takes {
-        let known = entity
-            .schema
-            .all_attributes()
-            .find(|known| known.word == self.means);
-        self.takes
-            .or(known.map(|known| known.takes))
-            .unwrap_or(Takes::Nothing)
-    }
-
     pub(super) const fn new(word: &'static str) -> Self {
         Self {
             word,
@@ -128,5 +118,16 @@ impl Word {
 
     pub(super) const fn role(self, role: Role) -> Self {
         Self { role, ..self }
+    }
+
+    /// The type of its value.
+    pub(super) fn takes(&self, entity: &Entity) -> Takes {
+        let known = entity
+            .schema
+            .all_attributes()
+            .find(|known| known.word == self.means);
+        self.takes
+            .or(known.map(|known| known.takes))
+            .unwrap_or(Takes::Nothing)
     }
 }
