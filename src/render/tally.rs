@@ -193,7 +193,9 @@ impl Tally {
                 around
             };
             let unmet = (known - own) / count;
-            transfer.error(mean, seen.max(unmet))
+            // Rays that are brighter than white hide nothing that none of them has met.
+            let unmet = transfer.error(mean.min(1.0), unmet);
+            transfer.error(mean, seen).max(unmet)
         };
         (0..3).map(of_channel).fold(0.0, f64::max)
     }

@@ -4,7 +4,7 @@ use super::{Arrival, Errors, Probe, RayKind};
 use crate::camera::Camera;
 use crate::math::{Rgb, scramble};
 use crate::plan::{Plan, Unlit};
-use crate::scene::Scene;
+use crate::scene::{Falloff, Scene};
 use crate::surface::{Hit, Surface};
 
 /// Notes how far rays from the eye go before they meet something, and whether they all find the same.
@@ -22,7 +22,7 @@ pub(super) struct Watch<'a> {
     path_before: Option<u64>,
     /// Whether all before the last one have found the same.
     was_even: bool,
-    /// Whether the exact filter is exact for all that was met.
+    /// Whether the exact filter is exact for all that was met, and nothing else varies there.
     is_exact: bool,
     /// How many rays are under way that show nothing of what they meet.
     idle: u32,
@@ -41,7 +41,8 @@ impl<'a> Watch<'a> {
             path: None,
             path_before: None,
             was_even: true,
-            is_exact: true,
+            // Light that fades varies even within a thing.
+            is_exact: plan.scene.lighting.view_falloff == Falloff::None,
             idle: 0,
             answers: false,
         }
@@ -67,7 +68,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Whether the exact filter shows just a ray's share of all that was met, and nothing else varies
-    /// quickly there.
+    /// between borders.
     pub(super) fn is_exact(&self) -> bool {
         self.is_exact
     }
@@ -129,6 +130,8 @@ impl Probe for Watch<'_> {
         if self.idle == 0 && self.answers && !color.is_black() {
             self.note([light as u64]);
             self.note(bits(what));
+            // It comes from another side to each place.
+            self.is_exact = false;
         }
     }
 }

@@ -185,6 +185,27 @@ fn what_a_filter_is_off_in_a_round_mirror_is_asked_for_by_smaller_shares() {
     assert_eq!(rays("anisotropic", ""), 4 + 16);
 }
 
+#[test]
+fn rays_that_are_brighter_than_white_do_not_hide_what_none_of_them_has_met() {
+    let lamps = r#"
+        image 60 45 max-error=0.0078
+        camera { viewpoint 0 0 10; look-at 0 0 0; field-of-view 60 }
+        lighting { view-falloff "none" }
+        material "lamp" { ambient 1.17 }
+        material "wall" { ambient 0.3 }
+        tiled-plane "lamps" {
+            material "lamp"; alternate "wall"
+            point -3 -2.03 0; normal 0 0 1; xdir 4 3 0; dimensions 0.19 0.23 }"#;
+    let truth = "image 60 45 samples=4096 pattern=\"sobol\"";
+    let truth = drawn(&of_text(
+        &lamps.replace("image 60 45 max-error=0.0078", truth),
+    ))
+    .0;
+    let errors = errors(&drawn(&of_text(lamps)).0, &truth);
+    let worst = errors.iter().copied().fold(0.0, f64::max);
+    assert!(worst < 0.03, "{worst}");
+}
+
 /// A floor of tiles that are finer than the pixels, and what stands above it.
 fn floor(above: &str) -> Scene {
     of_text(&format!(
@@ -210,12 +231,18 @@ fn floor(above: &str) -> Scene {
 #[test]
 fn an_image_with_the_exact_filter_takes_rays_only_at_borders() {
     let rays = |above: &str| drawn(&floor(above)).1.camera_rays / (24 * 18);
-    assert_eq!(rays(""), 4, "whatever the tiles are like next to a pixel");
+    assert_eq!(
+        rays(""),
+        4 + 16,
+        "whatever the tiles are like next to a pixel"
+    );
     // What casts the shadows is behind the eye.
     for border in [
         r#"finite-plane { material "chalk"; point -1 20 1; normal 0 1 0; xdir 4 0 3; dimensions 1.5 1 }"#,
         r#"finite-plane { material "pane"; point -1 20 1; normal 0 1 0; xdir 4 0 3; dimensions 1.5 1 }"#,
         r#"tiled-plane { material "chalk"; alternate "pane"; point -1 0.1 1; normal 0 1 0; xdir 4 0 3; dimensions 30 20 }"#,
+        // No border, but light from all sides.
+        r#"light { location 0.3 0.05 0.2; emissivity 1 }"#,
     ] {
         let (film, counts) = drawn(&floor(border));
         let mean = counts.camera_rays / (24 * 18);
