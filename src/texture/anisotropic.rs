@@ -18,9 +18,11 @@ pub(super) fn anisotropic(
 ) -> Rgb {
     let (axis, short) = spread.axes();
     let long = axis.length();
-    // Where the axes are no numbers there is one probe, of everything.
+    // Between curved mirrors a beam can spread beyond all numbers.
+    if !long.is_finite() {
+        return texture.mean();
+    }
     let probes = (long / short.max(1.0)).ceil().clamp(1.0, MOST_PROBES);
-    let probes = if probes.is_nan() { 1.0 } else { probes };
     let size = short.max(long / probes);
     let (mut sum, mut number) = (Rgb::BLACK, 0.0);
     while number < probes {

@@ -122,8 +122,9 @@ impl TextureMap {
         let texture = &*self.texture;
         // Out there no double says where a texel's middle is.
         let place = spread.place;
-        let reaches = place.abs().max_element() < Grid::MOST_CELLS / 4.0;
-        if filter != Filter::Nearest && !reaches {
+        let reaches = |it: f64| it.abs() < Grid::MOST_CELLS / 4.0;
+        let is_within = reaches(place.x) && reaches(place.y);
+        if filter != Filter::Nearest && !is_within {
             return texture.mean();
         }
         match filter {
@@ -177,6 +178,7 @@ impl TextureMap {
 mod tests {
     use super::*;
     use crate::texture::Texels;
+    use glam::DVec3;
 
     /// Red numbers the columns from the left, green the rows from the top.
     fn numbered(width: usize, height: usize) -> Arc<Texture> {
@@ -210,6 +212,44 @@ mod tests {
         assert_eq!(column_and_row(&map, 0.0, 0.0), (0.0, 3.0));
         assert_eq!(column_and_row(&map, 8.0, 2.0), (3.0, 0.0));
         assert_eq!(column_and_row(&map, 3.9, 1.1), (1.0, 1.0));
+    }
+
+    /// Between curved mirrors beams spread beyond all numbers.
+    #[test]
+    fn a_footprint_of_no_numbers_has_a_colour() {
+        const FILTERS: [Filter; 5] = [
+            Filter::Nearest,
+            Filter::Bilinear,
+            Filter::Mipmap,
+            Filter::Anisotropic,
+            Filter::Exact,
+        ];
+        let size = DVec2::new(8.0, 2.0);
+        let map = TextureMap::clamp(numbered(4, 4), size);
+        let odd = [0.0, 1.0, 1e160, 1e300, f64::INFINITY, f64::NAN];
+        let wraps = [Wrap::Repeat, Wrap::Clamp];
+        for (right, up) in odd.iter().flat_map(|right| odd.map(|up| (*right, up))) {
+            for (x, filter) in odd.iter().flat_map(|x| FILTERS.map(|filter| (*x, filter))) {
+                let spread = Spread {
+                    place: DVec2::new(x, 0.5),
+                    steps: [DVec2::new(right, up), DVec2::new(up, -right)],
+                };
+                let footprint = Footprint {
+                    center: DVec3::new(x, 1.0, 1.0),
+                    steps: [DVec3::new(right, up, 0.0), DVec3::new(up, 0.0, right)],
+                };
+                for color in [
+                    map.around(filter, Rgb::BLACK, &spread, wraps),
+                    map.over(filter, Rgb::BLACK, (&footprint, size)),
+                ] {
+                    let is_color = |it: f64| (0.0..=1.0).contains(&it);
+                    assert!(
+                        color.channels().into_iter().all(is_color),
+                        "{filter:?} {spread:?}: {color:?}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]
