@@ -355,15 +355,17 @@ fn an_interrupt_while_a_picture_is_written_leaves_no_file() {
 #[cfg(target_os = "linux")]
 fn a_file_that_cannot_be_made_is_called_as_it_was_asked_for() {
     let shell = Shell::with_scene();
-    for arguments in [
-        ["render", "scene.kdl", "-o", "/proc/it.png"].as_slice(),
-        &["convert", "scene.kdl", "-o", "/proc/it.png"],
-        &["cost", "scene.kdl", "--csv", "/proc/it.png"],
-        &["cost", "scene.kdl", "--plot", "/proc/it.png"],
-        &["cost", "scene.kdl", "--report", "/proc/it.png"],
+    for [command, option, file] in [
+        ["render", "-o", "/proc/it.png"],
+        ["convert", "-o", "/proc/it.png"],
+        ["cost", "--csv", "/proc/it.csv"],
+        ["cost", "--plot", "/proc/it.svg"],
+        ["cost", "--report", "/proc/it.html"],
     ] {
-        let run = shell.run(arguments).ends_with(4);
-        run.says("error: cannot write /proc/it.png: No such file or directory (os error 2)\n");
+        let run = shell.run(&[command, "scene.kdl", option, file]);
+        run.ends_with(4).says(&format!(
+            "error: cannot write {file}: No such file or directory (os error 2)\n"
+        ));
     }
 }
 
@@ -373,19 +375,44 @@ fn what_cost_writes_replaces_nothing_that_it_needs_or_has_written() {
     shell.run(&["render", "scene.kdl"]).ends_with(0);
     let folder = shell.path("");
     let folder = folder.file_name().expect("a name").display();
-    let beyond = format!("../{folder}/it.csv");
+    let beyond = format!("../{folder}/it");
+    for (file, copy) in [("scene.kdl", "scene"), ("scene.png", "truth")] {
+        std::fs::copy(shell.path(file), shell.path(copy)).expect("a file");
+    }
     for (arguments, expected) in [
+        (["--csv", "it", "--plot", beyond.as_str()], "written twice"),
         (
-            ["--csv", "it.csv", "--plot", beyond.as_str()],
-            "written twice",
+            ["--threads", "1", "--report", "./scene"],
+            "./scene would replace scene, which scene is made of",
         ),
         (
-            ["--csv", "scene.png", "--reference", "./scene.png"],
-            "scene.png would replace what is compared with",
+            ["--csv", "truth", "--reference", "./truth"],
+            "truth would replace what is compared with",
         ),
     ] {
-        let arguments = [&["cost", "scene.kdl", "--runs", "1"], &arguments[..]].concat();
+        let arguments = [&["cost", "scene", "--runs", "1"], &arguments[..]].concat();
         shell.run(&arguments).ends_with(2).says(expected);
     }
-    assert_eq!(shell.files(), ["scene.kdl", "scene.png"]);
+    let files = ["scene", "scene.kdl", "scene.png", "truth"];
+    assert_eq!(shell.files(), files);
+}
+
+#[test]
+fn what_cost_writes_is_named_as_what_it_is() {
+    let shell = Shell::with_scene();
+    for (option, file, endings) in [
+        ("--plot", "it.png", ".svg"),
+        ("--plot", "it.svg.", ".svg"),
+        ("--csv", "it.json", ".csv"),
+        ("--report", "it.pdf", ".html or .htm"),
+    ] {
+        let run = shell.run(&["cost", "scene.kdl", option, file]).ends_with(2);
+        let expected = format!("expected a name that ends with {endings}, or has no ending");
+        run.says(file).says(option).says(&expected);
+    }
+    assert_eq!(shell.files(), ["scene.kdl"]);
+    let base = ["cost", "scene.kdl", "--runs", "1", "--vary", "depth=8"];
+    let named = ["--plot", "it.SVG", "--csv", "it", "--report", "it.htm"];
+    shell.run(&[&base[..], &named].concat()).ends_with(0);
+    assert_eq!(shell.files(), ["it", "it.SVG", "it.htm", "scene.kdl"]);
 }
