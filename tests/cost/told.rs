@@ -57,6 +57,26 @@ fn what_is_tried_keeps_the_words_it_was_given_in() {
 }
 
 #[test]
+fn where_no_rung_errs_no_error_is_drawn() {
+    let black = "image 32 24; camera { viewpoint 0 1 4; look-at 0 1 0 }";
+    let cost = measured(&mut scene(black), &["samples=2,4"], 1);
+    assert!(cost.rungs.iter().all(|rung| rung.deviation.rmse == 0.0));
+    // All letters are in the lowest row, which alone has a number.
+    let text = cost.to_string();
+    let (_, chart) = text.split_once("  RMSE\n").expect("a chart");
+    let (rows, _) = chart.split_once('└').expect("its end");
+    let rows: Vec<_> = rows.lines().filter(|row| row.contains('│')).collect();
+    let (lowest, others) = rows.split_last().expect("rows");
+    assert!(others.iter().all(|row| row.trim() == "│"), "{chart}");
+    assert!(lowest.trim_start().starts_with("0 │"), "{chart}");
+    assert!(lowest.contains(|it: char| it.is_ascii_lowercase()));
+    let plot = cost.plot();
+    let marks = plot.matches("class=\"mark\" text-anchor=\"end\"").count();
+    assert_eq!(marks, 1, "{plot}");
+    assert!(!plot.contains("class=\"doubt\""), "{plot}");
+}
+
+#[test]
 fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let better = [Some("samples=64"), None, Some("samples=4")];
