@@ -5,6 +5,8 @@ mod shell;
 
 #[path = "cli/certify.rs"]
 mod certify;
+#[path = "cli/cost_files.rs"]
+mod cost_files;
 #[path = "cli/crop.rs"]
 mod crop;
 #[path = "cli/determinism.rs"]

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 
 use super::dials::Dials;
 use super::input::Failure;
@@ -51,13 +52,13 @@ pub(super) struct Options {
     #[command(flatten)]
     json: Json,
     /// Write the table as comma-separated values.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = named(&["csv"]))]
     csv: Option<PathBuf>,
     /// Write the plot of error against time as SVG.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = named(&["svg"]))]
     plot: Option<PathBuf>,
     /// Write a page with plot, pictures, errors and table, one HTML file that needs nothing else.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = named(&["html", "htm"]))]
     report: Option<PathBuf>,
     // The last, since the help has what comes after them under their heading.
     #[command(flatten)]
@@ -69,6 +70,29 @@ impl Options {
     fn reference(&self) -> Option<&Path> {
         (self.reference.as_os_str() != "auto").then_some(&self.reference)
     }
+}
+
+/// A reader of files' names that have one of these endings or none; pipes and devices are called as they
+/// like.
+fn named(endings: &'static [&'static str]) -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(move |path| {
+        let fits = path.extension().is_none_or(|it| {
+            let mut endings = endings.iter();
+            endings.any(|ending| it.eq_ignore_ascii_case(ending))
+        });
+        let is_special = || {
+            path.metadata()
+                .is_ok_and(|it| !it.is_file() && !it.is_dir())
+        };
+        if fits || is_special() {
+            return Ok(path);
+        }
+        let endings: Vec<_> = endings.iter().map(|it| format!(".{it}")).collect();
+        let endings = endings.join(" or ");
+        Err(format!(
+            "expected a name that ends with {endings}, or has no ending"
+        ))
+    })
 }
 
 /// A time in seconds from `2s` or `500ms`.

@@ -9,6 +9,7 @@ use crate::language::{Attribute, Range, Takes, Value, did_you_mean};
 pub struct Setting {
     attribute: &'static Attribute,
     value: Value,
+    text: String,
 }
 
 impl Setting {
@@ -41,7 +42,11 @@ impl Setting {
             };
             format!("expected {}{fraction}", attribute.takes.words())
         })?;
-        Ok(Self { attribute, value })
+        Ok(Self {
+            attribute,
+            value,
+            text: text.split_whitespace().collect(),
+        })
     }
 
     /// The property's word.
@@ -54,6 +59,12 @@ impl Setting {
     #[must_use]
     pub fn value(&self) -> &Value {
         &self.value
+    }
+
+    /// The text that it was made from, without blanks, such as `2/255`.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 }
 
@@ -75,6 +86,8 @@ mod tests {
         let setting = |word, text| Setting::new(word, text).map(|it| it.value);
         assert_eq!(setting("samples", "16"), Ok(Value::Number(16.0)));
         assert_eq!(setting("numerics", "classic"), Ok(Value::from("classic")));
+        let spaced = Setting::new("max-error", " 2 / 255 ").expect("a setting");
+        assert_eq!(spaced.text(), "2/255");
         let fraction = setting("max-error", "2/255");
         assert_eq!(fraction, Ok(Value::Number(2.0 / 255.0)));
         let share = "expected a number from 0 to 1, or a fraction such as 2/255";

@@ -212,14 +212,11 @@ fn is_ignored(signal: u8) -> bool {
 #[test]
 fn a_name_that_is_too_long_is_refused_before_anything_is_drawn() {
     let shell = Shell::with_scene();
-    let long = format!("{}.png", "x".repeat(300));
-    for arguments in [
-        ["render", "scene.kdl", "-o", &long],
-        ["cost", "scene.kdl", "--plot", &long],
-    ] {
+    for (command, option, ending) in [("render", "-o", "png"), ("cost", "--plot", "svg")] {
+        let long = format!("{}.{ending}", "x".repeat(300));
         // What only fails on writing has the system's words.
-        let run = shell.run(&arguments).ends_with(4);
-        run.says(&format!(
+        let run = shell.run(&[command, "scene.kdl", option, &long]);
+        run.ends_with(4).says(&format!(
             "error: cannot write {long}: its name is too long\n"
         ));
     }

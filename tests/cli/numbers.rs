@@ -23,7 +23,9 @@ fn every_option_tells_which_numbers_it_takes() {
         ("cost", "--threads", "", "a whole number from 1 to 1024"),
         ("cost", "--budget", "", "a time above zero, such as 2s"),
         ("cost", "--target", "", "such as rmse=1e-3"),
-        ("cost", "--target", "rmse=", "a number of 0 or more"),
+        ("cost", "--target", "rmse=", "a number from 0 to 1 after"),
+        ("cost", "--target", "max=", "a number from 0 to 255 after"),
+        ("cost", "--target", "psnr=", "a number of 0 or more after"),
         (
             "cost",
             "--vary",

@@ -106,9 +106,7 @@ fn json_csv_plot_and_page_have_every_rung() {
         assert!(!answer[field].is_null(), "{field}");
     }
 
-    let schema = std::fs::read_to_string("docs/cost.schema.json").expect("the schema");
-    let schema = serde_json::from_str(&schema).expect("JSON");
-    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    let validator = schema();
     let errors: Vec<_> = validator.iter_errors(&answer).collect();
     assert!(errors.is_empty(), "{errors:?}");
     let unmet = [
@@ -160,6 +158,41 @@ fn json_csv_plot_and_page_have_every_rung() {
     let files = ["it.csv", "it.svg", "it.html"];
     let expected = files.map(|file| format!("scene.kdl -> {file}\n"));
     assert_eq!(said, expected.concat());
+}
+
+/// The schema of what `--json` prints.
+fn schema() -> jsonschema::Validator {
+    let schema = std::fs::read_to_string("docs/cost.schema.json").expect("the schema");
+    let schema = serde_json::from_str(&schema).expect("JSON");
+    jsonschema::validator_for(&schema).expect("a schema")
+}
+
+#[test]
+fn what_fails_is_in_the_schema_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("wrong.kdl"), "image 0 0\n").expect("a file");
+    for (arguments, exit) in [
+        (["scene.kdl", "--samples", "1", "--csv", "-"], 2),
+        (["wrong.kdl", "--samples", "1", "--runs", "1"], 3),
+        (["none.kdl", "--samples", "1", "--runs", "1"], 4),
+        (["scene.kdl", "--reference", "none.png", "--runs", "1"], 4),
+    ] {
+        std::fs::write(folder.path().join("scene.kdl"), SCENE).expect("a file");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_heliodon"));
+        command.current_dir(folder.path()).args(["cost", "--json"]);
+        let output = command.args(arguments).output().expect("heliodon runs");
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(answer["exit"], exit, "{answer}");
+        let validator = schema();
+        let errors: Vec<_> = validator.iter_errors(&answer).collect();
+        assert!(errors.is_empty(), "{answer}: {errors:?}");
+        // What has failed has no other status, and says why.
+        for (field, wrong) in [("exit", 0.into()), ("error", serde_json::Value::from(1))] {
+            let mut answer = answer.clone();
+            answer[field] = wrong;
+            assert!(!validator.is_valid(&answer), "{answer}");
+        }
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ fn how_often_max_error_is_met_is_told() {
     let mut scene = scene(SCENE);
     let cost = measured(&mut scene, &["max-error=0.05,0.00001", "samples=4"], 2);
     let mut told = Vec::new();
-    for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "1e-5", 1e-5)] {
+    for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "0.00001", 1e-5)] {
         scene.picture.max_error = max_error;
         let (film, _) = render(&scene, &|_| ()).expect("a picture");
         let pairs = film.pixels().iter().zip(cost.reference.film.pixels());
@@ -33,6 +33,47 @@ fn how_often_max_error_is_met_is_told() {
     );
     let words = format!("\nmax-error: met in {} of the pixels\n", told.join(", "));
     assert!(cost.words().contains(&words), "{words}: {}", cost.words());
+}
+
+#[test]
+fn what_is_tried_keeps_the_words_it_was_given_in() {
+    // Each value twice: the first spelling stands for both.
+    let variations = ["max-error=2/255, 0.00784313725490196", "cut-off=1 / 255"];
+    let cost = measured(&mut scene(SCENE), &variations, 1);
+    let labels = cost.rungs.iter().map(|rung| rung.label.as_str());
+    assert!(labels.eq(["as it is", "max-error=2/255", "cut-off=1/255"]));
+    for (rung, dial, step, value) in [
+        (0, "max-error", "0", 0.0),
+        (1, "max-error", "2/255", 2.0 / 255.0),
+        (2, "cut-off", "1/255", 1.0 / 255.0),
+    ] {
+        let own = cost.rungs[rung].own(dial).expect("a step");
+        assert_eq!((own.step.as_str(), own.value), (step, Some(value)));
+    }
+    let words = cost.words();
+    for sentence in ["\nmax-error=2/255 errs most ", " % (2/255) of the pixels\n"] {
+        assert!(words.contains(sentence), "{sentence}: {words}");
+    }
+}
+
+#[test]
+fn where_no_rung_errs_no_error_is_drawn() {
+    let black = "image 32 24; camera { viewpoint 0 1 4; look-at 0 1 0 }";
+    let cost = measured(&mut scene(black), &["samples=2,4"], 1);
+    assert!(cost.rungs.iter().all(|rung| rung.deviation.rmse == 0.0));
+    // All letters are in the lowest row, which alone has a number.
+    let text = cost.to_string();
+    let (_, chart) = text.split_once("  RMSE\n").expect("a chart");
+    let (rows, _) = chart.split_once('└').expect("its end");
+    let rows: Vec<_> = rows.lines().filter(|row| row.contains('│')).collect();
+    let (lowest, others) = rows.split_last().expect("rows");
+    assert!(others.iter().all(|row| row.trim() == "│"), "{chart}");
+    assert!(lowest.trim_start().starts_with("0 │"), "{chart}");
+    assert!(lowest.contains(|it: char| it.is_ascii_lowercase()));
+    let plot = cost.plot();
+    let marks = plot.matches("class=\"mark\" text-anchor=\"end\"").count();
+    assert_eq!(marks, 1, "{plot}");
+    assert!(!plot.contains("class=\"doubt\""), "{plot}");
 }
 
 #[test]

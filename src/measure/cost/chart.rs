@@ -39,8 +39,9 @@ pub(super) fn chart(cost: &Cost) -> String {
     let mut text = "  RMSE\n".to_owned();
     for (row, cells) in cells.iter().enumerate() {
         let mark = match row {
-            0 => format!("{:.0e}", error.most),
+            row if row + 1 == HEIGHT && error.is_zero() => "0".to_owned(),
             row if row + 1 == HEIGHT => format!("{:.0e}", error.least),
+            0 if !error.is_zero() => format!("{:.0e}", error.most),
             _ => String::new(),
         };
         let cells: String = cells.iter().collect();

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Cost, Measured};
+use crate::language::Range;
 use crate::measure::clock::in_words;
 
 /// What a limit is about.
@@ -41,13 +42,14 @@ pub struct Best {
 }
 
 impl Metric {
-    const ALL: [(&'static str, Self); 6] = [
-        ("rmse", Self::Rmse),
-        ("max", Self::Max),
-        ("off", Self::Off),
-        ("psnr", Self::Psnr),
-        ("ssim", Self::Ssim),
-        ("flip", Self::Flip),
+    /// Their words, and the limits that a picture may have to keep to.
+    const ALL: [(&'static str, Self, Range); 6] = [
+        ("rmse", Self::Rmse, Range::Between(0.0, 1.0)),
+        ("max", Self::Max, Range::Between(0.0, 255.0)),
+        ("off", Self::Off, Range::Between(0.0, 1.0)),
+        ("psnr", Self::Psnr, Range::NotNegative),
+        ("ssim", Self::Ssim, Range::Between(0.0, 1.0)),
+        ("flip", Self::Flip, Range::Between(0.0, 1.0)),
     ];
 }
 
@@ -59,17 +61,19 @@ impl Limit {
     pub fn new(text: &str) -> Result<Self, String> {
         let parts = text.split_once('=');
         let (word, number) = parts.ok_or("expected a measure and its limit, such as rmse=1e-3")?;
-        let known = Metric::ALL.iter().find(|(known, _)| *known == word.trim());
-        let (_, metric) = known.ok_or_else(|| {
-            let words = Metric::ALL.map(|(word, _)| word).join(", ");
+        let known = Metric::ALL.iter().find(|(known, ..)| *known == word.trim());
+        let (word, metric, range) = *known.ok_or_else(|| {
+            let words = Metric::ALL.map(|(word, ..)| word).join(", ");
             format!("expected one of {words} before ={number}")
         })?;
         let value: Option<f64> = number.trim().parse().ok();
-        let value = value.filter(|value| value.is_finite() && *value >= 0.0);
-        Ok(Self {
-            metric: *metric,
-            value: value.ok_or("expected a number of 0 or more after the =")?,
-        })
+        let value = value
+            .filter(|value| range.contains(*value))
+            .ok_or_else(|| {
+                let numbers = range.words("a", "number");
+                format!("expected {numbers} after {word}=")
+            })?;
+        Ok(Self { metric, value })
     }
 
     /// Whether a rung is good enough.
@@ -235,8 +239,8 @@ mod tests {
                 "{limit}"
             );
         }
-        let [.., perfect, _] = rungs();
-        assert!(cheapest(&[perfect], Limit::new("ssim=1.1").expect("a limit")).is_none());
+        let [slow, ..] = rungs();
+        assert!(cheapest(&[slow], Limit::new("ssim=1").expect("a limit")).is_none());
     }
 
     #[test]
@@ -309,9 +313,14 @@ mod tests {
                 "error=1",
                 "expected one of rmse, max, off, psnr, ssim, flip",
             ),
-            ("max=-1", "of 0 or more"),
             ("max=one", "a number"),
-            ("max=nan", "a number"),
+            ("rmse=-1", "expected a number from 0 to 1 after rmse="),
+            ("max=NaN", "expected a number from 0 to 255 after max="),
+            ("max=256", "expected a number from 0 to 255 after max="),
+            ("off=200", "expected a number from 0 to 1 after off="),
+            ("psnr=inf", "expected a number of 0 or more after psnr="),
+            ("ssim=2", "expected a number from 0 to 1 after ssim="),
+            ("flip=2", "expected a number from 0 to 1 after flip="),
         ] {
             let error = Limit::new(text).expect_err("no limit");
             assert!(error.contains(expected), "{text}: {error}");

@@ -60,9 +60,7 @@ pub const DIALS: &[Dial] = &[
     },
     Dial {
         word: "cut-off",
-        steps: &[
-            "1", "0.25", "0.0625", "0.016", "0.004", "0.00098", "0.00006",
-        ],
+        steps: &["1", "0.25", "0.0625", "0.016", "0.004", "0.00098", "6e-5"],
         matters_for: BOUNCES,
         best: Some("0.00001"),
         ..Dial::PLAIN

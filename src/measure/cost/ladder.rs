@@ -167,6 +167,15 @@ impl Rung {
         dials.flatten().any(|dial| dial.in_writing)
     }
 
+    /// What a dial is turned to: as it was given if it was, else as the scene would say it.
+    pub(super) fn step(&self, dial: &Dial, value: &Value) -> String {
+        let given = self.settings.iter().find(|it| it.word() == dial.word);
+        match given {
+            Some(setting) => setting.text().to_owned(),
+            None => value.to_string().trim_matches('"').to_owned(),
+        }
+    }
+
     /// Whether it is a step of a dial, alone or beside what else is set.
     pub(super) fn turns(&self, dial: &Dial) -> bool {
         let mut turned = self.dial.iter().chain(&self.also);
@@ -209,16 +218,9 @@ fn seen(picture: Picture) -> Picture {
 
 /// The settings as they are given, such as `samples=4 numerics=classic`.
 fn label(settings: &[Setting]) -> String {
-    let words = settings.iter().map(|setting| {
-        let value = in_words(setting.value());
-        format!("{}={value}", setting.word())
-    });
+    let words = settings.iter();
+    let words = words.map(|setting| format!("{}={}", setting.word(), setting.text()));
     words.collect::<Vec<_>>().join(" ")
-}
-
-/// What a dial is turned to, as it is given.
-pub(super) fn in_words(value: &Value) -> String {
-    value.to_string().trim_matches('"').to_owned()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::choice::most_accurate;
 use super::{DIALS, Dial, Measured};
+use crate::measure::Timing;
 
 /// What a dial buys for time, by its own error.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,14 +30,25 @@ pub enum Trade {
         /// How many times as long a picture with half the error takes.
         halving: f64,
     },
-    /// More accuracy takes no more time.
+    /// More accuracy takes no more time, as far as can be told.
     Free,
     /// The steps are words, and follow no law.
     Words,
 }
 
-/// Steps whose times are this close cost the same.
+/// A step of a dial that takes a number; all above zero.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    time: Timing,
+    value: f64,
+    error: f64,
+}
+
+/// Steps whose times are this close, within their deviations, cost the same.
 const ALIKE: f64 = 1.1;
+
+/// The same of times that were taken once, whose deviations nobody knows.
+const ALIKE_ONCE: f64 = 1.5;
 
 /// The laws of all dials that were turned, if the reference is so far off itself.
 pub(super) fn all(rungs: &[Measured], doubt: f64) -> Vec<Law> {
@@ -56,8 +68,10 @@ fn law(dial: &Dial, rungs: &[Measured], doubt: f64) -> Option<Law> {
     let doubt = if dial.by_reference { doubt } else { 0.0 };
     let best = most_accurate(steps.iter().map(|(rung, own)| (*rung, own.rmse)), doubt)?;
     let points = steps.iter().filter_map(|(rung, own)| {
-        let point = [rung.cpu.median, own.value?, own.rmse];
-        point.iter().all(|it| *it > 0.0).then_some(point)
+        let (time, value, error) = (rung.cpu, own.value?, own.rmse);
+        let point = Point { time, value, error };
+        let numbers = [time.median, value, error];
+        numbers.iter().all(|it| *it > 0.0).then_some(point)
     });
     let points: Vec<_> = points.collect();
     let words = steps.iter().any(|(_, own)| own.value.is_none());
@@ -74,26 +88,34 @@ fn law(dial: &Dial, rungs: &[Measured], doubt: f64) -> Option<Law> {
 
 /// How times, numbers and errors go together, if nobody can tell errors apart that differ by no more than
 /// the doubt.
-fn trade(points: &[[f64; 3]], doubt: f64) -> Trade {
-    let range = |axis: usize| {
-        let numbers = points.iter().map(|point| point[axis]);
-        numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), it| {
-            (least.min(it), most.max(it))
-        })
-    };
-    let ((least, most), errors) = (range(0), range(2));
-    let is_told = errors.1 - errors.0 > doubt;
-    let against = |axis: usize| exponent(points.iter().map(|point| [point[axis], point[2]]));
-    match [against(0), against(1)] {
-        [Some(of_time), Some(of_value)] if of_time < 0.0 && is_told && most > ALIKE * least => {
-            Trade::Power {
-                of_time,
-                of_value,
-                halving: libm::exp2(-1.0 / of_time),
-            }
-        }
+fn trade(points: &[Point], doubt: f64) -> Trade {
+    let against = |x: fn(&Point) -> f64| exponent(points.iter().map(|it| [x(it), it.error]));
+    let exponents = [against(|it| it.time.median), against(|it| it.value)];
+    match exponents {
+        [Some(of_time), Some(of_value)] if of_time < 0.0 && differ(points, doubt) => Trade::Power {
+            of_time,
+            of_value,
+            halving: libm::exp2(-1.0 / of_time),
+        },
         _ => Trade::Free,
     }
+}
+
+/// Whether errors differ by more than the doubt, and the longest time is longer than the shortest however
+/// far both may be off.
+fn differ(points: &[Point], doubt: f64) -> bool {
+    let errors = || points.iter().map(|point| point.error);
+    let least = errors().fold(f64::INFINITY, f64::min);
+    let by_time = |one: &&Point, other: &&Point| one.time.median.total_cmp(&other.time.median);
+    let ends = [points.iter().min_by(by_time), points.iter().max_by(by_time)];
+    let [Some(shortest), Some(longest)] = ends.map(|end| end.map(|point| point.time)) else {
+        return false;
+    };
+    let is_longer = match [shortest.deviation, longest.deviation] {
+        [Some(short), Some(long)] => longest.median - long > ALIKE * (shortest.median + short),
+        _ => longest.median > ALIKE_ONCE * shortest.median,
+    };
+    is_longer && errors().fold(0.0, f64::max) - least > doubt
 }
 
 /// The exponent of the power of the first numbers that fits the second ones best: least squares of
@@ -121,10 +143,27 @@ mod tests {
     use super::super::measured::Own;
     use super::*;
 
+    fn point([median, value, error]: [f64; 3], deviation: Option<f64>) -> Point {
+        let time = Timing { median, deviation };
+        Point { time, value, error }
+    }
+
+    #[test]
+    fn a_law_needs_times_that_differ_however_far_they_are_off() {
+        let is_told = |longest: f64, deviation| {
+            let steps = [[10.0, 1.0, 0.1], [longest, 2.0, 0.05]];
+            trade(&steps.map(|it| point(it, deviation)), 0.0) != Trade::Free
+        };
+        assert!(!is_told(11.0, Some(0.0)) && is_told(11.1, Some(0.0)));
+        assert!(!is_told(14.0, Some(2.0)) && is_told(14.0, Some(1.0)));
+        assert!(!is_told(15.0, None) && is_told(15.1, None), "once");
+    }
+
     #[test]
     fn a_power_is_found_and_its_price_told() {
         // Twice the samples take twice the time and leave the error over the root of eight.
         let points = [1.0, 4.0, 16.0].map(|n: f64| [0.3 * n, n, 0.5 / (n * n * n).sqrt().sqrt()]);
+        let points = points.map(|it| point(it, Some(0.0)));
         let Trade::Power {
             of_time,
             of_value,
@@ -140,6 +179,10 @@ mod tests {
     #[test]
     fn what_takes_no_longer_is_free() {
         let alike = [[1.0, 0.1, 0.1], [1.05, 0.01, 0.01], [1.02, 0.001, 0.001]];
+        let trade = |points: &[[f64; 3]], doubt| {
+            let points = points.iter().map(|it| point(*it, Some(0.0)));
+            trade(&points.collect::<Vec<_>>(), doubt)
+        };
         assert_eq!(trade(&alike, 0.0), Trade::Free);
         assert_eq!(trade(&[], 0.0), Trade::Free);
         let worse = [[1.0, 1.0, 0.1], [2.0, 2.0, 0.2]];

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::ladder::in_words;
 use super::reference::written;
 use super::{Blame, Dial, Rung, Truth, draw, pictures};
 use crate::film::Film;
@@ -217,7 +216,7 @@ impl Subject {
                 None if dial.by_reference => deviation.rmse,
                 None => continue,
             };
-            let step = in_words(&value);
+            let step = self.rung.step(dial, &value);
             if is_turned {
                 let best = twin.map_or(&truth.reference.film, |twin| &twin.film);
                 let rung = &self.rung.label;

@@ -49,7 +49,7 @@ impl Cost {
         let [[left, right], [top, bottom]] = [frame.across, frame.down];
         frame.draw(svg, seconds, Some(number));
         let mut labels = Labels::within([left + 2.0, top], [right, bottom]);
-        if let Some(doubt) = self.reference.doubt {
+        if let Some(doubt) = self.reference.doubt.filter(|doubt| doubt.rmse > 0.0) {
             let [_, at] = frame.place([x.least, doubt.rmse]);
             svg.rectangle("doubt", [left, at], [right - left, bottom - at]);
             let words = "error of the reference itself";

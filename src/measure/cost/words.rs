@@ -90,14 +90,17 @@ impl Law {
                 of_value,
                 halving,
             } => format!(
-                "{dial}: half the error takes {halving:.1} times as long; error goes with time to \
+                "{dial}: half the error takes {halving:.2} times as long; error goes with time to \
                  the power of {of_time:.2}, and with {dial} to that of {of_value:.2}"
             ),
             Trade::Free => {
                 let best = rungs.iter().find(|rung| rung.label == self.most_accurate);
                 let step = best.and_then(|rung| rung.own(dial));
                 let step = step.map_or("", |own| &own.step);
-                format!("{dial}: its steps buy no accuracy for time; the most accurate is {step}")
+                format!(
+                    "{dial}: as far as can be told its steps buy no accuracy for time; the most \
+                     accurate is {step}"
+                )
             }
             Trade::Words => {
                 let steps = rungs.iter().filter_map(|rung| {

@@ -3,14 +3,14 @@
 /// A logarithmic axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::measure) struct Axis {
-    /// Its lower end; above zero.
+    /// Its lower end; above zero, or zero if there is nothing to show but zeros.
     pub(in crate::measure) least: f64,
-    /// Its upper end; above the lower one.
+    /// Its upper end; above the lower one, or zero too.
     pub(in crate::measure) most: f64,
 }
 
 impl Axis {
-    /// An axis around these numbers, as far as they are above zero.
+    /// An axis around these numbers, as far as they are above zero; of none that is, only a zero.
     pub(in crate::measure) fn around(numbers: impl Iterator<Item = f64>) -> Self {
         let positive = numbers.filter(|number| *number > 0.0);
         let (least, most) = positive.fold((f64::INFINITY, 0.0_f64), |(least, most), number| {
@@ -18,8 +18,8 @@ impl Axis {
         });
         if least > most {
             return Self {
-                least: 0.1,
-                most: 1.0,
+                least: 0.0,
+                most: 0.0,
             };
         }
         Self {
@@ -28,8 +28,16 @@ impl Axis {
         }
     }
 
+    /// Whether there is nothing on it but zero.
+    pub(in crate::measure) fn is_zero(self) -> bool {
+        self.most == 0.0
+    }
+
     /// Where a number is, from 0 to 1; what is too small is at the lower end.
     pub(in crate::measure) fn share(self, number: f64) -> f64 {
+        if self.is_zero() {
+            return 0.0;
+        }
         let [least, most, number] =
             [self.least, self.most, number.max(self.least)].map(libm::log10);
         ((number - least) / (most - least)).clamp(0.0, 1.0)
@@ -38,6 +46,9 @@ impl Axis {
     /// Round numbers on it: 1, 2 and 5 times powers of ten; the powers alone if there are enough of
     /// them, and of a very long axis every third or sixth.
     pub(super) fn marks(self) -> Vec<f64> {
+        if self.is_zero() {
+            return vec![0.0];
+        }
         let decades = libm::log10(self.most / self.least);
         let (steps, every): (&[f64], usize) = match decades {
             short if short < 2.5 => (&[1.0, 2.0, 5.0], 1),
@@ -65,8 +76,15 @@ mod tests {
         assert!((axis.least - 1.0).abs() < 1e-12 && (axis.most - 100.0).abs() < 1e-9);
         assert!((axis.share(10.0) - 0.5).abs() < 1e-9);
         assert_eq!([0.0, 1e-9, 1e9].map(|it| axis.share(it)), [0.0, 0.0, 1.0]);
-        let nothing = Axis::around(std::iter::empty());
-        assert!(nothing.least < nothing.most);
+    }
+
+    #[test]
+    fn an_axis_of_nothing_above_zero_is_a_zero() {
+        for numbers in [[].as_slice(), &[0.0, 0.0]] {
+            let axis = Axis::around(numbers.iter().copied());
+            assert_eq!(axis.marks(), [0.0]);
+            assert_eq!(axis.share(0.0), 0.0);
+        }
     }
 
     #[test]

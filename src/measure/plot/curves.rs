@@ -81,12 +81,12 @@ impl Figure {
             let curves = self.panels.iter().flat_map(|panel| &panel.curves);
             curves.flat_map(|curve| curve.points.iter().map(|point| point[1]))
         };
-        let bottom = match numbers().any(|number| number == 0.0) {
+        let doubt = self.doubt.map(|(number, _)| number);
+        let up = Axis::around(numbers().chain(doubt));
+        let bottom = match numbers().any(|number| number == 0.0) && !up.is_zero() {
             true => BOTTOM - ZERO,
             false => BOTTOM,
         };
-        let doubt = self.doubt.map(|(number, _)| number);
-        let up = Axis::around(numbers().chain(doubt));
         svg.text("title", "start", [LEFT - 46.0, 20.0], self.up.title);
         #[expect(clippy::cast_precision_loss, reason = "a few panels")]
         let count = self.panels.len() as f64;

@@ -62,7 +62,7 @@ impl Frame {
 /// A number as short as it can be; a very small or large one to one digit.
 pub(in crate::measure) fn number(number: f64) -> String {
     let rounded = (1e6 * number).round() / 1e6;
-    if (0.001..100_000.0).contains(&number) {
+    if number == 0.0 || (0.001..100_000.0).contains(&number) {
         rounded.to_string()
     } else {
         format!("{number:.0e}")
@@ -84,8 +84,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let written = [0.1 + 0.2, 0.005, 2e-5, 1000.0, 1e6].map(number);
-        assert_eq!(written, ["0.3", "0.005", "2e-5", "1000", "1e6"]);
+        let written = [0.0, 0.1 + 0.2, 0.005, 2e-5, 1000.0, 1e6].map(number);
+        assert_eq!(written, ["0", "0.3", "0.005", "2e-5", "1000", "1e6"]);
         assert_eq!(
             [0.02, 0.000_5, 5.0].map(seconds),
             ["20 ms", "0.5 ms", "5 s"]
