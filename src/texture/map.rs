@@ -217,19 +217,15 @@ mod tests {
     /// Between curved mirrors beams spread beyond all numbers.
     #[test]
     fn a_footprint_of_no_numbers_has_a_colour() {
-        const FILTERS: [Filter; 5] = [
-            Filter::Nearest,
-            Filter::Bilinear,
-            Filter::Mipmap,
-            Filter::Anisotropic,
-            Filter::Exact,
-        ];
         let size = DVec2::new(8.0, 2.0);
         let map = TextureMap::clamp(numbered(4, 4), size);
         let odd = [0.0, 1.0, 1e160, 1e300, f64::INFINITY, f64::NAN];
         let wraps = [Wrap::Repeat, Wrap::Clamp];
         for (right, up) in odd.iter().flat_map(|right| odd.map(|up| (*right, up))) {
-            for (x, filter) in odd.iter().flat_map(|x| FILTERS.map(|filter| (*x, filter))) {
+            for (x, filter) in odd
+                .iter()
+                .flat_map(|x| Filter::ALL.map(|filter| (*x, filter)))
+            {
                 let spread = Spread {
                     place: DVec2::new(x, 0.5),
                     steps: [DVec2::new(right, up), DVec2::new(up, -right)],

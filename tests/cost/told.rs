@@ -33,6 +33,30 @@ fn how_often_max_error_is_met_is_told() {
     );
     let words = format!("\nmax-error: met in {} of the pixels\n", told.join(", "));
     assert!(cost.words().contains(&words), "{words}: {}", cost.words());
+
+    // Rungs of other dials keep it, and are not told.
+    scene.picture.max_error = 0.05;
+    let cost = measured(&mut scene, &["max-error=0.1", "samples=64"], 2);
+    assert!(cost.rungs.iter().all(|rung| rung.met.is_some()));
+    let words = cost.met_words().expect("a target");
+    let steps: Vec<_> = words.split('(').skip(1).collect();
+    assert_eq!(steps.len(), 2, "{words}");
+    assert!(
+        steps[0].starts_with("0.05)") && steps[1].starts_with("0.1)"),
+        "{words}"
+    );
+
+    // Where nothing turns it alone, all are.
+    scene.picture.max_error = 0.0;
+    let grid = ["samples=1,64", "max-error=0.1"];
+    let grid = grid.map(|text| Variation::new(text).expect("a variation"));
+    let grid = Ladder::of_all(scene.picture, &grid).expect("a ladder");
+    let cost =
+        heliodon::measure::cost(&mut scene, &grid, None, 1, false, &|_, _| ()).expect("a cost");
+    let words = cost.met_words().expect("a target");
+    for label in ["(samples=1 max-error=0.1)", "(samples=64 max-error=0.1)"] {
+        assert!(words.contains(label), "{words}");
+    }
 }
 
 #[test]

@@ -30,16 +30,22 @@ impl Cost {
         }
     }
 
-    /// How often each `max-error` was met, if there is one.
+    /// How often each `max-error` was met, if there is one: of the dial's steps, or else of all rungs.
     #[must_use]
     pub fn met_words(&self) -> Option<String> {
+        let of_rung = |rung: &Measured, step: &str| {
+            let share = 100.0 * rung.met?;
+            Some(format!("{share:.2} % ({step})"))
+        };
         let rungs = self.rungs.iter();
-        let met = rungs.filter_map(|rung| {
-            let own = rung.own("max-error");
-            let step = own.map_or(&rung.label, |own| &own.step);
-            Some(format!("{:.2} % ({step})", 100.0 * rung.met?))
-        });
-        let met: Vec<_> = met.collect();
+        let steps = rungs.filter_map(|rung| of_rung(rung, &rung.own("max-error")?.step));
+        let mut met: Vec<_> = steps.collect();
+        if met.is_empty() {
+            let rungs = self.rungs.iter();
+            met = rungs
+                .filter_map(|rung| of_rung(rung, &rung.label))
+                .collect();
+        }
         (!met.is_empty()).then(|| format!("max-error: met in {} of the pixels", met.join(", ")))
     }
 
