@@ -86,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Tachyon's lights do not fade, so its colours differ; rays, surfaces and textures are the same.
 fn write_twin(folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let reading = read::read_file(Path::new(SCENE), &read::Options::default())?
-        .map_err(|rejection| format!("{:?}", rejection.problems))?;
+        .map_err(|scene_error| format!("{:?}", scene_error.problems))?;
     let scene = reading.scene;
     let mut text = camera(&scene)?;
     for light in &scene.lights {
@@ -162,8 +162,8 @@ fn camera(scene: &Scene) -> Result<String, Box<dyn Error>> {
         "BEGIN_SCENE\nRESOLUTION {} {}\nCAMERA\nZOOM 1.0\nASPECTRATIO 1.0\nANTIALIASING 0\n\
          RAYDEPTH 6\nCENTER {}\nVIEWDIR 0 0 -1\nUPDIR 0 1 0\n\
          FRUSTUM {left} {right} {bottom} {top}\nEND_CAMERA\n",
-        scene.picture.width,
-        scene.picture.height,
+        scene.settings.width,
+        scene.settings.height,
         triple(*eye),
     ))
 }

@@ -79,9 +79,9 @@ fn load(text: String) -> Scene {
 /// The seconds that a picture takes, and how many surfaces are asked for each ray.
 fn rendered(scene: &Scene, accelerator: Accelerator) -> Result<(f64, f64), Box<dyn Error>> {
     let plan = Plan::with(scene, None, Scope::CalledFor, accelerator);
-    let plan = plan.map_err(|refusal| refusal.reason)?;
+    let plan = plan.map_err(|error| error.reason)?;
     let (made, seconds) = timed(|| drawn::<Counts>(&plan, &|_| ()));
-    let (_, counts) = made.map_err(|refusal| refusal.reason)?;
+    let (_, counts) = made.map_err(|error| error.reason)?;
     let tests = counts.hit_tests + counts.occlusion_tests;
     Ok((seconds, tests as f64 / counts.rays() as f64))
 }

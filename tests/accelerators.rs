@@ -11,7 +11,7 @@ mod random;
 use glam::DVec3;
 use heliodon::accel::{Accelerator, Between, LampView, LightView, SurfaceList};
 use heliodon::film::Film;
-use heliodon::math::{Departure, Point, Ray, Rgb, Segment, Span, unit};
+use heliodon::math::{Point, Ray, RayOrigin, Rgb, Segment, Span, unit};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, drawn};
@@ -103,13 +103,13 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
                 return met[1].is_some();
             };
             let entry = &list.entries()[index];
-            let departure = entry.departure(&ray, &hit);
-            let bounced = Ray::leaving(&departure, ray.mirrored(hit.normal));
+            let ray_origin = entry.ray_origin(&ray, &hit);
+            let bounced = Ray::spawn(&ray_origin, ray.mirrored(hit.normal));
             let then = [&list, &tree].map(|found| {
                 let met = found.nearest(&bounced, Span::AHEAD, &mut 0);
                 met.map(|(entry, hit)| (entry.index, hit))
             });
-            let passed = Segment::new(&departure, light).map(|segment| {
+            let passed = Segment::new(&ray_origin, light).map(|segment| {
                 [0, 1].map(|which| {
                     let before = views[which][0].before(entry);
                     let blockers = before?.blockers(&hit, &segment.ray);
@@ -142,16 +142,16 @@ fn pictures_of_random_scenes_with_lamps_are_the_same() {
 fn shares(
     view: &LampView<'_>,
     between: &Between<'_, '_>,
-    departure: &Departure<'_>,
+    ray_origin: &RayOrigin<'_>,
     normal: DVec3,
 ) -> Vec<Rgb> {
     let places = [[0.0, 0.0], [0.9, 0.1], [0.2, 0.8], [0.5, 0.5], [1.0, 1.0]];
-    let samples = places.map(|at| view.lamp.sample(&departure.point, normal, at.into()));
+    let samples = places.map(|at| view.lamp.sample(&ray_origin.point, normal, at.into()));
     let seen = samples.into_iter().filter(|(_, weight)| *weight > 0.0);
     let share = |(end, _)| match between {
         Between::Nothing => Rgb::WHITE,
         Between::Wall => Rgb::BLACK,
-        Between::Some(casters) => Segment::new(departure, end).map_or(Rgb::WHITE, |segment| {
+        Between::Some(casters) => Segment::new(ray_origin, end).map_or(Rgb::WHITE, |segment| {
             casters.transmittance(&segment, &mut 0)
         }),
     };
@@ -184,16 +184,16 @@ fn places_get_the_same_shares_of_lamps() {
             let Some((entry, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else {
                 return false;
             };
-            let departure = entry.departure(&ray, &hit);
-            let leaving = Ray::leaving(&departure, hit.normal);
+            let ray_origin = entry.ray_origin(&ray, &hit);
+            let spawn = Ray::spawn(&ray_origin, hit.normal);
             (0..views[0].len()).any(|lamp| {
                 let arriving = views[0][lamp].lamp.form_factor(&hit.point, hit.normal);
                 if !views[0][lamp].lights(entry) || arriving == 0.0 {
                     return false;
                 }
                 let all = views.each_ref().map(|views| {
-                    let between = views[lamp].between(entry, &leaving, true);
-                    shares(&views[lamp], &between, &departure, hit.normal)
+                    let between = views[lamp].between(entry, &spawn, true);
+                    shares(&views[lamp], &between, &ray_origin, hit.normal)
                 });
                 all[0] != all[1] || all[1] != all[2]
             })

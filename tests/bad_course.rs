@@ -12,7 +12,9 @@ use heliodon::read::{Language, Options, read_file};
 fn words(path: &Path) -> String {
     match read_file(path, &Options::default()).expect("a file") {
         Ok(reading) => render_problems(&reading.warnings, &reading.scene.sources, false, 100),
-        Err(rejection) => render_problems(&rejection.problems, &rejection.sources, false, 100),
+        Err(scene_error) => {
+            render_problems(&scene_error.problems, &scene_error.sources, false, 100)
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use heliodon::language::render_problems;
-use heliodon::read::{Options, Rejection, read_bytes, read_file};
+use heliodon::read::{Options, SceneError, read_bytes, read_file};
 
 const FOLDER: &str = "tests/bad";
 
@@ -36,14 +36,14 @@ fn files(ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-fn rendered(rejection: &Rejection) -> String {
-    render_problems(&rejection.problems, &rejection.sources, false, 100)
+fn rendered(scene_error: &SceneError) -> String {
+    render_problems(&scene_error.problems, &scene_error.sources, false, 100)
 }
 
 /// What is said about a scene; `None` if it is accepted.
-fn refusal(scene: &Path) -> Option<String> {
+fn error(scene: &Path) -> Option<String> {
     let read = read_file(scene, &Options::default()).expect("a file that can be read");
-    read.err().map(|rejection| rendered(&rejection))
+    read.err().map(|scene_error| rendered(&scene_error))
 }
 
 /// What is said about a text that is too long or too odd for a file; it must be refused.
@@ -63,7 +63,7 @@ fn every_mistake_is_explained() {
     let mut failures = Vec::new();
     let scenes = files("kdl");
     for scene in &scenes {
-        let Some(found) = refusal(scene) else {
+        let Some(found) = error(scene) else {
             failures.push(format!("{} is accepted", scene.display()));
             continue;
         };

@@ -12,7 +12,7 @@ use heliodon::camera::Pattern;
 use heliodon::measure::{Cost, Ladder, Limit, Reference, Variation, cost, effects_of};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
-use heliodon::scene::{Picture, Scene};
+use heliodon::scene::{RenderSettings, Scene};
 use heliodon::texture::Filter;
 use rayon::ThreadPoolBuilder;
 
@@ -43,14 +43,14 @@ fn room() -> Scene {
 
 fn labels(scene: &Scene) -> Vec<String> {
     let effects = effects_of(scene).expect("a possible camera");
-    let ladder = Ladder::of(scene.picture, &effects);
+    let ladder = Ladder::of(scene.settings, &effects);
     ladder.0.into_iter().map(|rung| rung.label).collect()
 }
 
 fn measured(scene: &mut Scene, variations: &[&str], threads: usize) -> Cost {
     let variations = variations.iter().map(|text| Variation::new(text));
     let variations: Vec<_> = variations.map(|it| it.expect("a variation")).collect();
-    let ladder = Ladder::of_each(scene.picture, &variations).expect("a ladder");
+    let ladder = Ladder::of_each(scene.settings, &variations).expect("a ladder");
     let pool = ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("threads");
     pool.install(|| cost(scene, &ladder, None, 1, false, &|_, _| ()))
@@ -77,10 +77,13 @@ fn the_ladder_has_only_what_the_scene_calls_for() {
 #[test]
 fn counts_and_errors_are_the_same_on_any_number_of_threads() {
     let mut room = room();
-    let before = room.picture;
+    let before = room.settings;
     let variations = ["samples=4", "cut-off=1", "numerics=classic"];
     let [one, three] = [1, 3].map(|threads| measured(&mut room, &variations, threads));
-    assert_eq!(room.picture, before, "the scene has its own settings again");
+    assert_eq!(
+        room.settings, before,
+        "the scene has its own settings again"
+    );
     let pairs = one.rungs.iter().zip(&three.rungs);
     assert_eq!(pairs.clone().count(), 4);
     for (one, three) in pairs {
@@ -153,7 +156,7 @@ fn a_picture_is_no_way_off_itself() {
 
 fn is_no_way_off_itself(text: &str) {
     let mut scene = scene(text);
-    let transfer = scene.picture.transfer;
+    let transfer = scene.settings.transfer;
     let (film, _) = render(&scene, &|_| ()).expect("a picture");
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("it.pfm");
@@ -161,7 +164,7 @@ fn is_no_way_off_itself(text: &str) {
     film.write(
         &mut bytes,
         heliodon::film::Format::Pfm,
-        scene.picture.rounding,
+        scene.settings.rounding,
         &heliodon::film::Notes::default(),
     )
     .expect("bytes");
@@ -170,7 +173,7 @@ fn is_no_way_off_itself(text: &str) {
     assert!(Reference::from_file(&path, [32, 25], transfer).is_err());
     let variations = ["quantize=truncate", "quantize=round"].map(Variation::new);
     let variations = variations.map(|it| it.expect("a variation"));
-    let ladder = Ladder::of_each(scene.picture, &variations).expect("a ladder");
+    let ladder = Ladder::of_each(scene.settings, &variations).expect("a ladder");
     let cost = cost(&mut scene, &ladder, Some(reference), 2, false, &|_, _| ());
     let cost = cost.expect("a cost");
     assert!(cost.rungs[0].deviation.rmse < 1e-6);
@@ -212,14 +215,14 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
 
 #[test]
 fn a_pattern_means_nothing_to_one_ray_and_to_those_that_max_error_adds() {
-    let drawn = |file: &str, picture: &dyn Fn(Picture) -> Picture| {
+    let drawn = |file: &str, picture: &dyn Fn(RenderSettings) -> RenderSettings| {
         let options = Options {
             size: Some([24, 18]),
             ..Options::default()
         };
         let reading = read_file(file.as_ref(), &options).expect("a file");
         let mut scene = reading.expect("a scene").scene;
-        scene.picture = picture(scene.picture);
+        scene.settings = picture(scene.settings);
         render(&scene, &|_| ()).expect("a picture")
     };
     for file in ["room", "lamp-room", "horizon", "glass-ball"] {
@@ -230,7 +233,7 @@ fn a_pattern_means_nothing_to_one_ray_and_to_those_that_max_error_adds() {
                 (0.2, &[Pattern::Stratified, Pattern::Sobol]),
             ] {
                 let with = |pattern: Pattern| {
-                    drawn(&file, &|picture| Picture {
+                    drawn(&file, &|picture| RenderSettings {
                         samples: 1,
                         texture_filter: filter,
                         max_error,

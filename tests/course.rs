@@ -27,10 +27,10 @@ fn scenes() -> Vec<(PathBuf, Reading)> {
 
 fn read(path: &Path) -> Reading {
     let reading = read_file(path, &Options::default()).expect("a file");
-    reading.unwrap_or_else(|rejection| {
+    reading.unwrap_or_else(|scene_error| {
         panic!(
             "{}",
-            render_problems(&rejection.problems, &rejection.sources, false, 100)
+            render_problems(&scene_error.problems, &scene_error.sources, false, 100)
         )
     })
 }
@@ -41,8 +41,8 @@ fn read_kdl(text: &str) -> Reading {
         ..Options::default()
     };
     let reading = read_bytes("converted.kdl", text.into(), FOLDER.into(), &options);
-    reading.unwrap_or_else(|rejection| {
-        let problems = render_problems(&rejection.problems, &rejection.sources, false, 100);
+    reading.unwrap_or_else(|scene_error| {
+        let problems = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
         panic!("{problems}\n{text}")
     })
 }
@@ -294,7 +294,7 @@ fn nearly_a_scene() -> impl Strategy<Value = String> {
     proptest::collection::vec(piece, 0..60).prop_map(|pieces| pieces.join(" "))
 }
 
-fn try_to_read(text: &str) -> Result<Reading, heliodon::read::Rejection> {
+fn try_to_read(text: &str) -> Result<Reading, heliodon::read::SceneError> {
     let options = Options {
         language: Some(Language::Course),
         ..Options::default()
@@ -305,9 +305,9 @@ fn try_to_read(text: &str) -> Result<Reading, heliodon::read::Rejection> {
 proptest! {
     #[test]
     fn any_text_is_read_or_explained(text in nearly_a_scene()) {
-        if let Err(rejection) = try_to_read(&text) {
-            prop_assert!(!rejection.problems.is_empty());
-            let text = render_problems(&rejection.problems, &rejection.sources, false, 100);
+        if let Err(scene_error) = try_to_read(&text) {
+            prop_assert!(!scene_error.problems.is_empty());
+            let text = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
             prop_assert!(!text.is_empty());
         }
     }
@@ -322,9 +322,9 @@ proptest! {
     fn a_scene_that_is_cut_off_anywhere_is_explained(end in 0_usize..2_000) {
         let whole = std::fs::read_to_string("tests/course/room.txt").expect("the room");
         let text = &whole[..whole.floor_char_boundary(end)];
-        if let Err(rejection) = try_to_read(text) {
+        if let Err(scene_error) = try_to_read(text) {
             let names_nothing_missing =
-                rejection.problems.iter().all(|problem| !problem.message.contains("no material"));
+                scene_error.problems.iter().all(|problem| !problem.message.contains("no material"));
             // The camera is the first thing in the file, the materials are before the surfaces.
             prop_assert!(names_nothing_missing);
         }

@@ -36,7 +36,7 @@ fn the_picture_below_the_readmes_scene_is_that_scene() {
         .expect("the picture")
         .into_rgb8();
     assert!(
-        film.bytes(scene.picture.encoding()) == shown.into_raw(),
+        film.bytes(scene.settings.encoding()) == shown.into_raw(),
         "docs/ball.png is another"
     );
 }

@@ -35,12 +35,12 @@ struct Allowed {
 
 const ALLOWED: [Allowed; 9] = [
     Allowed {
-        file: "math/band.rs",
+        file: "math/error_bounds.rs",
         line: "pub const UNIT: f64 = f64::EPSILON / 2.0;",
         reason: "the largest relative rounding: all proven bounds are multiples of it",
     },
     Allowed {
-        file: "math/band.rs",
+        file: "math/error_bounds.rs",
         line: "pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;",
         reason: "below it products lose bits; such values are always decided exactly",
     },
@@ -143,11 +143,11 @@ fn the_scan_knows_small_numbers_in_any_dress() {
     assert_eq!(small_numbers(behind), ["const NEARLY: f64 = 1e-9;"]);
 }
 
-/// The table in `docs/numerics.md` has every bound of `math/band.rs` with its factor.
+/// The table in `docs/numerics.md` has every bound of `math/error_bounds.rs` with its factor.
 #[test]
 fn the_document_has_all_bounds() {
     let page = fs::read_to_string(repository("docs/numerics.md")).expect("the page");
-    let bounds = fs::read_to_string(repository("src/math/band.rs")).expect("the bounds");
+    let bounds = fs::read_to_string(repository("src/math/error_bounds.rs")).expect("the bounds");
     let mut count = 0;
     for line in bounds.lines() {
         let Some((name, factor)) = line

@@ -263,9 +263,9 @@ fn run(seeds: &[Seed], index: u64) -> Outcome {
                 outcome.non_finite = usize::from(film.non_finite().count() > 0);
             }
         }
-        Err(rejection) => {
-            assert!(!rejection.problems.is_empty(), "refused without a reason");
-            let said = render_problems(&rejection.problems, &rejection.sources, false, 100);
+        Err(scene_error) => {
+            assert!(!scene_error.problems.is_empty(), "refused without a reason");
+            let said = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
             assert!(
                 !said.contains(" `` "),
                 "an empty word in a message:\n{said}"

@@ -68,14 +68,14 @@ fn read(text: &str, options: &Options) -> heliodon::scene::Scene {
 fn the_option_replaces_what_the_scene_says() {
     let said = SCENE.replace("image 40 30", r#"image 40 30 numerics="classic-f32""#);
     let plain = Options::default();
-    assert_eq!(read(SCENE, &plain).picture.numerics, Numerics::Robust);
-    assert_eq!(read(&said, &plain).picture.numerics, Numerics::ClassicF32);
+    assert_eq!(read(SCENE, &plain).settings.numerics, Numerics::Robust);
+    assert_eq!(read(&said, &plain).settings.numerics, Numerics::ClassicF32);
     for numerics in Numerics::ALL {
         let told = Options {
             settings: vec![Setting::new("numerics", numerics.word()).expect("a setting")],
             ..Options::default()
         };
-        assert_eq!(read(&said, &told).picture.numerics, numerics);
+        assert_eq!(read(&said, &told).settings.numerics, numerics);
         let hashes = [SCENE, &said].map(|text| read(text, &told).hash());
         assert_eq!(hashes[0], hashes[1]);
     }
@@ -100,7 +100,7 @@ fn only_robust_pictures_may_be_moved() {
         };
         let scene = read(text, &options);
         let (film, _) = render(&scene, &|_| ()).expect("a picture");
-        film.bytes(scene.picture.encoding())
+        film.bytes(scene.settings.encoding())
     };
     let robust = Numerics::Robust;
     assert!(film(SCENE, robust) == film(&moved, robust));

@@ -82,8 +82,8 @@ fn picture(text: &str, numerics: Numerics, size: Option<[u32; 2]>) -> RgbImage {
         .unwrap_or_else(|no| panic!("{:?}", no.problems))
         .scene;
     let (film, _) = render(&scene, &|_| ()).expect("a picture");
-    let bytes = film.bytes(scene.picture.encoding());
-    RgbImage::from_raw(scene.picture.width, scene.picture.height, bytes).expect("all pixels")
+    let bytes = film.bytes(scene.settings.encoding());
+    RgbImage::from_raw(scene.settings.width, scene.settings.height, bytes).expect("all pixels")
 }
 
 /// Every pixel as a square.

@@ -54,7 +54,7 @@ fn draw(scene: &Scene) -> (Film, Counts) {
 }
 
 fn effects(scene: &Scene) -> Vec<Effect> {
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor).expect("a possible camera");
     let decisions = plan.decisions().into_iter();
     let on = decisions.filter(|decision| decision.on);
@@ -85,14 +85,14 @@ fn a_scene_without_an_effect_does_not_call_for_it() {
             assert_eq!(less.lights.len(), scene.lights.len(), "{title}");
             let (film, counts) = draw(&less);
             let (with_it, _) = draw(&scene);
-            let shown = film.shown(less.picture.transfer).hash();
+            let shown = film.shown(less.settings.transfer).hash();
             // Shadows may fall where nobody looks.
-            if shown != with_it.shown(scene.picture.transfer).hash() {
+            if shown != with_it.shown(scene.settings.transfer).hash() {
                 seen.push(effect);
             }
             let gone = match effect {
                 // Rounded numerics leave nothing out, not even what no one could see.
-                _ if scene.picture.numerics != Numerics::Robust => 0,
+                _ if scene.settings.numerics != Numerics::Robust => 0,
                 Effect::Shadows | Effect::SoftShadows => counts.shadow_rays + counts.lamp_rays,
                 Effect::Mirrors => counts.mirror_rays,
                 Effect::Transparency => counts.transmitted_rays,

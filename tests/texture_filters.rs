@@ -252,7 +252,7 @@ fn the_pictures_in_the_documentation() {
         RgbImage::from_pixel(3 * (320 + GAP) - GAP, 2 * (240 + GAP) - GAP, Rgb([255; 3]));
     for (number, (filter, samples)) in (0u32..).zip(looks) {
         let scene = scene(&text, folder.path(), filter, samples);
-        let bytes = drawn(&scene).0.bytes(scene.picture.encoding());
+        let bytes = drawn(&scene).0.bytes(scene.settings.encoding());
         let picture = RgbImage::from_raw(160, 120, bytes).expect("all pixels");
         let picture = imageops::resize(&picture, 320, 240, imageops::FilterType::Nearest);
         let (column, row) = (number % 3, number / 3);
@@ -273,7 +273,7 @@ fn exact_stays_exact_with_more_rays() {
         let mut scene = scene(&text, folder.path(), Filter::Exact, 1);
         for (word, value) in settings {
             let setting = Setting::new(word, value).expect("a setting");
-            scene.picture = scene.picture.with(&setting);
+            scene.settings = scene.settings.with(&setting);
         }
         drawn(&scene).0
     };

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use heliodon::math::Rgb;
-use heliodon::texture::{DecodeError, Fault, Texture, check, decode};
+use heliodon::texture::{DecodeError, ImageFileError, Texture, check, decode};
 use image::{DynamicImage, ImageFormat};
 
 /// A folder of this test's own.
@@ -39,7 +39,7 @@ fn colors(bytes: &[u8]) -> Vec<[f64; 3]> {
 }
 
 #[track_caller]
-fn fault(bytes: &[u8]) -> Fault {
+fn fault(bytes: &[u8]) -> ImageFileError {
     decoded(bytes).expect_err("no image").fault
 }
 
@@ -130,8 +130,8 @@ fn bitmaps_are_black_where_they_are_one() {
 
 #[test]
 fn broken_files_are_told_apart() {
-    let format = |bytes: &[u8]| matches!(fault(bytes), Fault::Format(_));
-    let damaged = |bytes: &[u8]| matches!(fault(bytes), Fault::Damaged(_));
+    let format = |bytes: &[u8]| matches!(fault(bytes), ImageFileError::Format(_));
+    let damaged = |bytes: &[u8]| matches!(fault(bytes), ImageFileError::Damaged(_));
     assert!(format(b"") && format(b"P") && format(b"P6") && format(b"P6 1") && format(b"P6 1 1"));
     assert!(format(b"P6 1 1 0 aaa") && format(b"P6 1 1 65536 aaaaaa") && format(b"P6 1 1 -1 aaa"));
     assert!(format(b"P2 1 1 255 256") && format(b"P2 1 1 99 100") && format(b"P5 1 1 99\n\xff"));
@@ -140,8 +140,14 @@ fn broken_files_are_told_apart() {
     assert!(
         damaged(b"P2 2 1 255 1") && damaged(b"P5 2 1 255\n1") && damaged(b"P6 1 1 65535\naaaaa")
     );
-    assert!(matches!(fault(b"P6 0 5 255\n"), Fault::Empty(0, 5)));
-    assert!(matches!(fault(b"P3 5 0 255\n"), Fault::Empty(5, 0)));
+    assert!(matches!(
+        fault(b"P6 0 5 255\n"),
+        ImageFileError::Empty(0, 5)
+    ));
+    assert!(matches!(
+        fault(b"P3 5 0 255\n"),
+        ImageFileError::Empty(5, 0)
+    ));
 }
 
 #[test]
@@ -152,24 +158,24 @@ fn an_image_of_gigantic_size_is_refused_before_memory_is_taken() {
         "P5 32768 32768 65535\n",
     ] {
         assert!(
-            matches!(fault(header.as_bytes()), Fault::TooLarge(..)),
+            matches!(fault(header.as_bytes()), ImageFileError::TooLarge(..)),
             "{header}"
         );
     }
     for header in ["P1 100000 100000\n", "P4 100000 100000\n"] {
         assert!(
-            matches!(fault(header.as_bytes()), Fault::TooLarge(..)),
+            matches!(fault(header.as_bytes()), ImageFileError::TooLarge(..)),
             "{header}"
         );
     }
     // As large as is allowed, but the texels are not there.
     assert!(matches!(
         fault(b"P6 16384 8192 255\nabc"),
-        Fault::Damaged(_)
+        ImageFileError::Damaged(_)
     ));
     assert!(matches!(
         fault(b"P2 16384 8192 255\n1 2 3"),
-        Fault::Damaged(_)
+        ImageFileError::Damaged(_)
     ));
 }
 

@@ -77,7 +77,7 @@ fn main() -> ExitCode {
 fn compare(path: &Path, arguments: &Arguments) -> bool {
     let drawn = |settings: &[(&str, &str)]| draw(&read(path, arguments.size, settings));
     let reference = reference(path, arguments);
-    let transfer = read(path, arguments.size, &[]).picture.transfer;
+    let transfer = read(path, arguments.size, &[]).settings.transfer;
     let limit = Setting::new("max-error", &arguments.max_error).expect("a limit");
     let limit = limit.value().number();
     println!("{}", path.display());

@@ -46,7 +46,7 @@ impl List {
         let reading = reading.map_err(|no| format!("{:?}", no.problems))?;
         Ok(Self {
             scene: path.to_owned(),
-            samples: reading.scene.picture.samples,
+            samples: reading.scene.settings.samples,
             prices: prices(&reading.scene, runs, &|_, _| ())?,
         })
     }

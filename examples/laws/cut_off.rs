@@ -68,9 +68,9 @@ fn scene(name: &str) -> Result<Scene, Failed> {
 }
 
 fn drawn(scene: &mut Scene, cut_off: f64) -> Result<Film, Failed> {
-    scene.picture.cut_off = cut_off;
+    scene.settings.cut_off = cut_off;
     let drawn = render(scene, &|_| ());
-    Ok(drawn.map_err(|refusal| refusal.reason)?.0)
+    Ok(drawn.map_err(|error| error.reason)?.0)
 }
 
 /// The largest difference of a channel.

@@ -54,10 +54,10 @@ pub(crate) fn measured() -> Result<Vec<Series>, Failed> {
         for ((_, filter, samples), errors) in TRIED.iter().zip(&mut errors) {
             let settings = [("texture-filter", filter.word()), ("samples", samples)];
             for (word, text) in settings {
-                scene.picture = scene.picture.with(&Setting::new(word, text)?);
+                scene.settings = scene.settings.with(&Setting::new(word, text)?);
             }
             let drawn = render(&scene, &|_| ());
-            let (film, _) = drawn.map_err(|refusal| refusal.reason)?;
+            let (film, _) = drawn.map_err(|error| error.reason)?;
             add_squares(errors, &film, &truth);
         }
     }
@@ -107,8 +107,10 @@ fn scene(turn: f64, folder: &Path) -> Result<Scene, Failed> {
 /// The eye is level, so a line of the picture shows a line of the floor, all of it equally far: its
 /// mean is that of the squares along it, which is exact. A row is the mean of many lines.
 fn truth(scene: &Scene) -> Result<Vec<f64>, Failed> {
-    let camera = scene.view.camera(scene.picture.width, scene.picture.height);
-    let camera = camera.map_err(|refusal| refusal.reason)?;
+    let camera = scene
+        .view
+        .camera(scene.settings.width, scene.settings.height);
+    let camera = camera.map_err(|error| error.reason)?;
     let pixels = (0..SIDE * SIDE / 2).into_par_iter();
     Ok(pixels
         .map(|at| {

@@ -123,7 +123,7 @@ fn picture(text: &str, numerics: Numerics) -> Result<Film, Failed> {
     };
     let reading = read_bytes("scene", text.into(), "".into(), &options);
     let scene = reading.map_err(|no| format!("{:?}", no.problems))?.scene;
-    Ok(render(&scene, &|_| ()).map_err(|refusal| refusal.reason)?.0)
+    Ok(render(&scene, &|_| ()).map_err(|error| error.reason)?.0)
 }
 
 /// The share of the pixels that have none of these colours.

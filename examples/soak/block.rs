@@ -10,7 +10,7 @@ use super::floors::Floor;
 use super::options::{Kind, Options};
 use super::random::{Random, Style};
 use super::rooms::Room;
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// Rays in a block.
 pub(crate) const BLOCK: u64 = 1 << 16;
@@ -19,7 +19,7 @@ pub(crate) const BLOCK: u64 = 1 << 16;
 const BOUNCES: u32 = 127;
 
 /// Sends the rays of a block.
-pub(crate) fn run(options: &Options, block: u64) -> Tally {
+pub(crate) fn run(options: &Options, block: u64) -> SampleAccumulator {
     let mut random = Random::of(options.seed, block);
     match options.kind {
         Kind::Edges => edges(&mut random),
@@ -34,11 +34,11 @@ pub(crate) fn run(options: &Options, block: u64) -> Tally {
 /// Scenes in a block, so that as many rays go to each as a scene takes time to make.
 const SCENES: u64 = 8;
 
-fn edges(random: &mut Random) -> Tally {
-    let mut tally = Tally::default();
+fn edges(random: &mut Random) -> SampleAccumulator {
+    let mut tally = SampleAccumulator::default();
     for _ in 0..SCENES {
         let mut floor = Floor::any(random);
-        floor.weld(&mut tally);
+        floor.share(&mut tally);
         tally.observe_within(|tally| {
             for _ in 0..BLOCK / SCENES {
                 floor.ask(random, tally);
@@ -48,8 +48,8 @@ fn edges(random: &mut Random) -> Tally {
     tally
 }
 
-fn rooms(random: &mut Random) -> Tally {
-    let mut tally = Tally::default();
+fn rooms(random: &mut Random) -> SampleAccumulator {
+    let mut tally = SampleAccumulator::default();
     for scene in 0..SCENES {
         let make = [Room::of_planes, Room::of_rectangles][usize::from(scene % 2 == 1)];
         let room = make(random, 1.0);
@@ -66,8 +66,8 @@ fn rooms(random: &mut Random) -> Tally {
     tally
 }
 
-fn bounces(random: &mut Random) -> Tally {
-    let mut tally = Tally::default();
+fn bounces(random: &mut Random) -> SampleAccumulator {
+    let mut tally = SampleAccumulator::default();
     for scene in 0..SCENES {
         let make = [Room::scaled_planes, Room::scaled_rectangles][usize::from(scene % 2 == 1)];
         let room = make(random);
@@ -81,7 +81,7 @@ fn bounces(random: &mut Random) -> Tally {
     tally
 }
 
-fn oracle(random: &mut Random) -> Tally {
+fn oracle(random: &mut Random) -> SampleAccumulator {
     let mut tallies = Tallies::default();
     for _ in 0..BLOCK / 4 {
         decisions::meeting(random, &mut tallies, &mut |_, _| ());
@@ -97,8 +97,8 @@ fn oracle(random: &mut Random) -> Tally {
     tally
 }
 
-fn spheres(random: &mut Random) -> Tally {
-    let mut tally = Tally::default();
+fn spheres(random: &mut Random) -> SampleAccumulator {
+    let mut tally = SampleAccumulator::default();
     for _ in 0..BLOCK {
         let (surface, ray) = cases::far_and_round(random);
         decisions::check_meeting(&*surface, &ray, &mut tally, &mut |_, _| ());
@@ -106,8 +106,8 @@ fn spheres(random: &mut Random) -> Tally {
     tally
 }
 
-fn undirected(random: &mut Random) -> Tally {
-    let mut tally = Tally::default();
+fn undirected(random: &mut Random) -> SampleAccumulator {
+    let mut tally = SampleAccumulator::default();
     for _ in 0..SCENES {
         let surface = cases::surface(random, Style::Uniform, 1.0);
         tally.observe_within(|tally| {

@@ -31,7 +31,7 @@ use rayon::prelude::*;
 
 use block::BLOCK;
 use options::Options;
-use tally::Tally;
+use tally::SampleAccumulator;
 
 fn main() -> ExitCode {
     let options = Options::parse();
@@ -48,7 +48,7 @@ fn main() -> ExitCode {
             .map(|block| block::run(&options, block))
     };
     let tally = pool.install(|| {
-        tallies().reduce(Tally::default, |mut all, one| {
+        tallies().reduce(SampleAccumulator::default, |mut all, one| {
             all += one;
             all
         })

@@ -2,7 +2,7 @@
 
 use clap::{Parser, ValueEnum};
 
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// Sends rays in any number and checks what they meet; ends with exit code 1 if anything is not as
 /// exact arithmetic has it.
@@ -52,10 +52,10 @@ pub(crate) enum Kind {
 
 impl Options {
     /// What is printed about a run: one line.
-    pub(crate) fn line(&self, tally: &Tally, next: u64, seconds: f64) -> String {
+    pub(crate) fn line(&self, tally: &SampleAccumulator, next: u64, seconds: f64) -> String {
         let kind = self.kind.to_possible_value();
         let kind = kind.as_ref().map_or("", |kind| kind.get_name());
-        let Tally {
+        let SampleAccumulator {
             cases,
             positive,
             none,

@@ -27,15 +27,15 @@ impl Canvas {
     ) -> Self {
         let mut pixels = vec![[0; 3]; width * height];
         let workers = thread::available_parallelism().map_or(1, usize::from);
-        let band = height.div_ceil(workers);
+        let error_bounds = height.div_ceil(workers);
         // Every pixel depends on its place alone, so the split into bands cannot change it.
         thread::scope(|scope| {
-            for (index, rows) in pixels.chunks_mut(band * width).enumerate() {
+            for (index, rows) in pixels.chunks_mut(error_bounds * width).enumerate() {
                 let shade = &shade;
                 scope.spawn(move || {
                     for (offset, pixel) in rows.iter_mut().enumerate() {
                         let column = offset % width;
-                        let row = index * band + offset / width;
+                        let row = index * error_bounds + offset / width;
                         *pixel = average(column, row, grid, shade).to_bytes();
                     }
                 });

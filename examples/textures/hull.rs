@@ -125,7 +125,7 @@ fn windows(p: Point, trim: f64) -> Colour {
     let x = (fraction(p.0 / PITCH) - 0.5) * PITCH;
     let pane = rectangle((x, p.1 - EQUATOR), (0.0, 0.0), (4.6, 6.6), 4.4);
     let brush = around(p, 64, 256, 2, 44) - 0.5;
-    let band =
+    let error_bounds =
         Colour::hex(0x3c_42_4c) * (0.9 + 0.3 * brush) * (0.75 + 0.25 * smooth(0.0, -4.0, trim));
     // Every fourth light is a signal lamp, the others show the warm cabin.
     let lamp = match index.rem_euclid(4) {
@@ -133,7 +133,7 @@ fn windows(p: Point, trim: f64) -> Colour {
         _ => Colour::hex(0xff_d8_78),
     };
     let core = lamp.mix(Colour::WHITE, 0.75 * smooth(-0.5, -4.5, pane)) * (0.86 + 0.14 * pick(0));
-    let halo = band.mix(lamp, 0.45 * smooth(5.0, 0.5, pane));
+    let halo = error_bounds.mix(lamp, 0.45 * smooth(5.0, 0.5, pane));
     let frame = halo.mix(Colour::hex(0xb4_ba_c2), bump(pane - 0.9, 1.1));
     frame.mix(core, smooth(0.3, -0.3, pane))
 }

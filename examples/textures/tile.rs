@@ -30,10 +30,10 @@ pub(crate) fn draw() -> Canvas {
 /// The ring around a corner of the tile, of which a quarter lies in it.
 fn ring(x: f64, y: f64, under: Colour) -> Colour {
     let from_corner = length(x.min(128.0 - x), y.min(128.0 - y));
-    let band = |inner: f64, outer: f64| (inner - from_corner).max(from_corner - outer);
+    let error_bounds = |inner: f64, outer: f64| (inner - from_corner).max(from_corner - outer);
     under
-        .cover(Colour::hex(NAVY), band(25.0, 47.0))
-        .cover(Colour::hex(GOLD), band(33.0, 38.0))
+        .cover(Colour::hex(NAVY), error_bounds(25.0, 47.0))
+        .cover(Colour::hex(GOLD), error_bounds(33.0, 38.0))
         .cover(Colour::hex(TEAL), from_corner - 17.0)
         .cover(Colour::hex(CREAM), from_corner - 8.0)
 }

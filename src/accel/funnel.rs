@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::shields::BLUR;
-use crate::math::band::{GRAZING, SLAB};
+use crate::math::error_bounds::{GRAZING, SLAB};
 use crate::math::{Bounds, Ray};
 
 /// All rays from a place to a lamp, and on beyond it, made ready to be asked which boxes they pass, in

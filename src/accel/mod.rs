@@ -10,10 +10,10 @@ mod overlaps;
 mod passage;
 mod reach;
 mod receivers;
+mod screen_bounds;
 mod shade;
 mod shadows;
 mod shields;
-mod sight;
 mod slabs;
 mod split;
 mod supports;
@@ -23,8 +23,8 @@ pub use accelerator::Accelerator;
 pub use lamps::{Between, Casters, LampView};
 pub use overlaps::Overlaps;
 pub use reach::overhang;
+pub use screen_bounds::{Ahead, ScreenBounds};
 pub use shadows::{Before, Blockers, LightView};
-pub use sight::{Ahead, Sight};
 pub use supports::supports;
 
 use std::cmp::Ordering;
@@ -32,7 +32,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::math::{
-    Curve, Decisions, Departure, Flat, Limits, Ray, Rgb, Segment, Side, Span, Support,
+    CarrierId, Curve, Decisions, Flat, Limits, Ray, RayOrigin, Rgb, Segment, Side, Span,
 };
 use crate::surface::{Common, Hit, Surface};
 use tree::Tree;
@@ -58,7 +58,7 @@ pub struct Entry<'a> {
     /// The surface.
     pub surface: &'a dyn Surface,
     /// The sheet that it lies on; `None` if rays may meet it again where they leave it.
-    pub support: Option<Support>,
+    pub support: Option<CarrierId>,
     /// Its plane, if it is flat.
     pub flat: Option<&'a Flat>,
     /// Whether a ray that leaves it to its inside meets it again: it is round, and of glass.
@@ -147,7 +147,7 @@ impl<'a> SurfaceList<'a> {
 
 fn entries<'a>(
     surfaces: &'a [Box<dyn Surface + 'a>],
-    supports: impl Iterator<Item = Option<Support>>,
+    supports: impl Iterator<Item = Option<CarrierId>>,
 ) -> Vec<Entry<'a>> {
     let surfaces = surfaces.iter().map(AsRef::as_ref).enumerate();
     let entries = surfaces.zip(supports);
@@ -160,7 +160,7 @@ fn entries<'a>(
             is_entered: surface.round().is_some()
                 && surface.common().material.is_entered()
                 // A sheet has the number of the first surface on it.
-                && support.is_some_and(|Support(first)| first as usize == index),
+                && support.is_some_and(|CarrierId(first)| first as usize == index),
             slip: surface.slip(),
             sends_on: surface.common().material.sends_on(),
             plain: surface.plain_ambient().filter(|_| {
@@ -222,7 +222,7 @@ fn found<'e, 'a, 'r>(
 /// which surfaces are asked.
 struct Search<'e, 'a, 'r, 'b> {
     ray: &'r Ray<'r>,
-    left: Option<Support>,
+    left: Option<CarrierId>,
     /// What each hit is asked for whether it counts.
     limits: Option<&'r Limits<'r>>,
     /// The distances that still may.
@@ -274,28 +274,28 @@ impl<'e, 'a, 'r, 'b> Search<'e, 'a, 'r, 'b> {
 impl<'a> Entry<'a> {
     /// What rays that leave the surface know of it.
     #[must_use]
-    pub fn sheet(&self) -> (Option<Support>, Option<&'a Flat>) {
+    pub fn sheet(&self) -> (Option<CarrierId>, Option<&'a Flat>) {
         (self.support, self.flat)
     }
 
     /// What rays that leave the surface where another met it know of it.
     #[must_use]
     #[inline(always)]
-    pub fn departure<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> Departure<'b>
+    pub fn ray_origin<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> RayOrigin<'b>
     where
         'a: 'b,
     {
-        let mut departure =
-            Departure::new(self.sheet(), arriving, hit.point, self.slip * hit.error);
+        let mut ray_origin =
+            RayOrigin::new(self.sheet(), arriving, hit.point, self.slip * hit.error);
         if self.is_entered {
             let normal = hit.normal;
-            departure.curve = self.surface.round().map(|round| Curve { round, normal });
+            ray_origin.curve = self.surface.round().map(|round| Curve { round, normal });
         }
-        departure
+        ray_origin
     }
 
     /// Whether the surface lies on a sheet, if it is known to lie on one.
-    fn lies_on(&self, sheet: Option<Support>) -> bool {
+    fn lies_on(&self, sheet: Option<CarrierId>) -> bool {
         sheet.is_some() && self.support == sheet
     }
 

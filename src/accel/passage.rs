@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::Entry;
-use crate::math::{Rgb, Segment, Support};
+use crate::math::{CarrierId, Rgb, Segment};
 
 /// The light along a segment, as it passes what stands in the way.
 ///
@@ -15,7 +15,7 @@ pub(super) struct Passage<'s> {
     /// The share of its colour that is left.
     pub(super) share: Rgb,
     /// The sheets that it has passed.
-    crossed: Vec<Support>,
+    crossed: Vec<CarrierId>,
 }
 
 impl<'s> Passage<'s> {
@@ -29,7 +29,7 @@ impl<'s> Passage<'s> {
     }
 
     /// Whether it has passed this sheet, where no other surface counts any more.
-    pub(super) fn has_crossed(&self, sheet: Option<Support>) -> bool {
+    pub(super) fn has_crossed(&self, sheet: Option<CarrierId>) -> bool {
         sheet.is_some_and(|sheet| self.crossed.contains(&sheet))
     }
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Entry;
-use crate::math::band::{GRAZING, SLAB, WIDEN};
+use crate::math::error_bounds::{GRAZING, SLAB, WIDEN};
 use crate::math::{Bounds, Flat};
 use crate::surface::Surface;
 

@@ -5,15 +5,15 @@ use glam::{DVec2, DVec3};
 use super::Entry;
 use super::divide::Divide;
 use super::reach::overhang;
-use crate::math::band::UNIT;
+use crate::math::error_bounds::UNIT;
 use crate::math::exact::ExactVector;
-use crate::math::{Ball, Bounds, Flat, Point, Side, Support};
+use crate::math::{Ball, Bounds, CarrierId, Flat, Point, Side};
 use crate::surface::{Shape, Surface};
 
 /// A surface as the side of others that light comes from, and that shadows fall on.
 #[derive(Debug)]
 pub(super) struct Body {
-    support: Option<Support>,
+    support: Option<CarrierId>,
     flat: Option<Flat>,
     outline: Vec<DVec3>,
     /// How far it can be met beside its outline, though hits on it lie inside.
@@ -40,7 +40,7 @@ impl Body {
         Self::of_surface(entry.surface, entry.support)
     }
 
-    pub(super) fn of_surface(surface: &dyn Surface, support: Option<Support>) -> Self {
+    pub(super) fn of_surface(surface: &dyn Surface, support: Option<CarrierId>) -> Self {
         let with_rounded = |point: ExactVector| {
             let rounded = point.rounded();
             (point, rounded)

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::receivers::Body;
-use crate::math::band::{SHADE, UNDERFLOW};
+use crate::math::error_bounds::{SHADE, UNDERFLOW};
 use crate::math::{Point, Ray};
 
 /// A part of a rectangle, in its own coordinates: outside of it lies no shadow of what it was made

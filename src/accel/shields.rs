@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::divide::Divide;
 use super::receivers::Body;
-use crate::math::band::SLIDE;
+use crate::math::error_bounds::SLIDE;
 use crate::math::{Flat, Point, Ray, Side, UNIT};
 use crate::surface::{Lamp, Surface};
 

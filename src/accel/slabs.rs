@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::math::band::{GRAZING, SLAB};
+use crate::math::error_bounds::{GRAZING, SLAB};
 use crate::math::{Bounds, Ray};
 
 /// A ray made ready to be asked which boxes it passes, in coordinates from a tree's centre.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::math::Support;
+use crate::math::CarrierId;
 use crate::surface::Surface;
 
 /// The sheet that each surface lies on: surfaces in one plane share it, and so do round ones of
@@ -13,9 +13,9 @@ use crate::surface::Surface;
 /// What makes two sheets one are the bits of the numbers that decide: a plane's point and
 /// normal, which surfaces in one plane share since they were loaded, or a centre and half axes.
 #[must_use]
-pub fn supports(surfaces: &[Box<dyn Surface>]) -> Vec<Support> {
-    let mut known: HashMap<(bool, [[u64; 3]; 2]), Support> = HashMap::new();
-    let numbered = (0u32..).map(Support).zip(surfaces);
+pub fn supports(surfaces: &[Box<dyn Surface>]) -> Vec<CarrierId> {
+    let mut known: HashMap<(bool, [[u64; 3]; 2]), CarrierId> = HashMap::new();
+    let numbered = (0u32..).map(CarrierId).zip(surfaces);
     numbered
         .map(|(own, surface)| {
             let flat = surface.flat().map(|flat| (true, flat.decisive()));

@@ -3,15 +3,15 @@
 mod image;
 mod pattern;
 mod places;
+mod raster_rect;
 mod row;
 mod view;
-mod window;
 
 pub use pattern::Pattern;
 pub use places::{Places, Share};
-pub use row::{Row, Stretch};
+pub use raster_rect::RasterRect;
+pub use row::{PixelSpan, Row};
 pub use view::{View, WindowOrigin};
-pub use window::Window;
 
 use glam::DVec3;
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Camera;
-use crate::math::{Fan, Point, Ray, direction};
+use crate::math::{Point, Ray, RayPacket, direction};
 
 /// The rays through a row of a picture: those of [`Camera::ray`], bit for bit.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct Row<'a> {
 
 /// Neighbouring pixels of a row.
 #[derive(Debug, Clone, Copy)]
-pub struct Stretch<'a> {
+pub struct PixelSpan<'a> {
     /// The row.
     pub row: &'a Row<'a>,
     /// The first pixel.
@@ -64,7 +64,7 @@ impl Row<'_> {
     }
 }
 
-impl Stretch<'_> {
+impl PixelSpan<'_> {
     /// The centres of its pixels.
     #[inline(always)]
     pub fn places(&self) -> impl Iterator<Item = f64> {
@@ -81,7 +81,7 @@ impl Stretch<'_> {
 
     /// The rays through it.
     #[must_use]
-    pub fn fan(&self) -> Fan {
+    pub fn fan(&self) -> RayPacket {
         let Camera {
             lower_left,
             right,
@@ -89,7 +89,7 @@ impl Stretch<'_> {
             ..
         } = self.row.camera;
         let sides = [lower_left, right, up].map(|side| side.abs().element_sum());
-        Fan {
+        RayPacket {
             ray: self.row.ray,
             ends: self.ends().map(|x| self.row.way(x)),
             size: sides.iter().sum(),

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Camera;
 use crate::language::{
-    Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes, Value, words,
+    Attribute, Default, Naming, Node, Range, Schema, Takes, Value, ValueError, words,
 };
 use crate::math::{Flat, unit};
 
@@ -113,7 +113,7 @@ impl View {
     /// # Errors
     /// Refuses a camera with both or neither of `screen` and `look-at`, what belongs to the other
     /// of them, and impossible directions.
-    pub fn from_node(node: &Node) -> Result<Self, Refusal> {
+    pub fn from_node(node: &Node) -> Result<Self, ValueError> {
         let viewpoint = node.triple("viewpoint");
         let view = match (node.entry("screen"), node.entry("look-at")) {
             (Some(screen), None) => {
@@ -145,7 +145,7 @@ impl View {
                 }
             }
             (None, None) => {
-                return Err(Refusal::new(
+                return Err(ValueError::new(
                     "camera",
                     "the camera has neither `screen` nor `look-at`",
                     "give `screen WIDTH HEIGHT` for the chapter's window, or `look-at X Y Z`",
@@ -153,7 +153,7 @@ impl View {
                 .expected("expected one of them between its braces"));
             }
             (Some(_), Some(_)) => {
-                return Err(Refusal::new(
+                return Err(ValueError::new(
                     "look-at",
                     "the camera has both `screen` and `look-at`",
                     "keep one of them",
@@ -176,7 +176,7 @@ impl View {
     ///
     /// # Errors
     /// Refuses an eye behind the screen or at its target, and an `up` along the view.
-    pub fn camera(&self, width: u32, height: u32) -> Result<Camera, Refusal> {
+    pub fn camera(&self, width: u32, height: u32) -> Result<Camera, ValueError> {
         let pixels = [width, height].map(f64::from);
         match *self {
             Self::Screen {
@@ -252,10 +252,10 @@ fn through_screen(
     [at, to_corner]: [DVec3; 2],
     size: DVec2,
     [width, height]: [f64; 2],
-) -> Result<Camera, Refusal> {
+) -> Result<Camera, ValueError> {
     if viewpoint.z <= at.z {
         let z = Value::Number(at.z);
-        return Err(Refusal::new(
+        return Err(ValueError::new(
             "viewpoint",
             "the viewpoint is not in front of the screen",
             format!("the screen lies in the plane z = {z}; give the viewpoint a z above {z}"),
@@ -281,9 +281,9 @@ fn looking_at(
     [target, up]: [DVec3; 2],
     field_of_view: f64,
     [width, height]: [f64; 2],
-) -> Result<Camera, Refusal> {
+) -> Result<Camera, ValueError> {
     let ahead = unit(target - viewpoint).ok_or_else(|| {
-        Refusal::new(
+        ValueError::new(
             "look-at",
             "the camera looks at its own viewpoint",
             "give `look-at` another point",
@@ -292,7 +292,7 @@ fn looking_at(
     })?;
     let across = unit(up).and_then(|up| unit(ahead.cross(up)));
     let across = across.ok_or_else(|| {
-        Refusal::new(
+        ValueError::new(
             "up",
             "`up` is zero or points along the direction of view",
             "`up` is what is up in the picture, such as 0 1 0",
@@ -319,12 +319,12 @@ fn refuse_stray(
     words: &[&'static str],
     [has, other]: [&str; 2],
     advice: &str,
-) -> Result<(), Refusal> {
+) -> Result<(), ValueError> {
     let mut words = words.iter();
     let Some(stray) = words.find(|word| node.entry(word).is_some()) else {
         return Ok(());
     };
     let reason = format!("`{stray}` means nothing to a camera with `{has}`");
     let expected = format!("expected only with `{other}`");
-    Err(Refusal::new(stray, reason, advice).expected(expected))
+    Err(ValueError::new(stray, reason, advice).expected(expected))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::film::{Depth, Format};
+use crate::film::{BitDepth, Format};
 
 /// What the command line asks of all pictures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub(super) struct Asked<'a> {
     /// The kind of picture.
     pub(super) format: Option<Format>,
     /// What its numbers are kept in.
-    pub(super) depth: Option<Depth>,
+    pub(super) depth: Option<BitDepth>,
 }
 
 impl Asked<'_> {
@@ -57,7 +57,7 @@ impl Asked<'_> {
     }
 
     /// Why a format or a name does not go with a depth.
-    fn contradiction(&self, depth: Depth, name: &str) -> String {
+    fn contradiction(&self, depth: BitDepth, name: &str) -> String {
         let word = depth.word();
         if let Some(format) = self.format {
             let other = format.depth().word();

@@ -9,7 +9,7 @@ use crate::film::Film;
 use crate::math::Numerics;
 use crate::render::{Both, Certificate, Counts};
 use crate::scene::Scene;
-use crate::surface::Welded;
+use crate::surface::SharedKind;
 
 /// How right a picture is, in numbers.
 #[derive(Debug, Serialize)]
@@ -52,20 +52,20 @@ pub(super) fn report(
     } = *certificate;
     let decisions = counts.hit_tests + counts.occlusion_tests;
     let taken = counts.decisions;
-    let robust = scene.picture.numerics == Numerics::Robust;
+    let robust = scene.settings.numerics == Numerics::Robust;
     let bounded = |most: f64| Some(most).filter(|most| most.is_finite());
     // What classic surfaces decide may be off by anything.
     let proven = |most: f64| bounded(most).filter(|_| robust);
-    let welds = |what| scene.welds.iter().filter(|weld| weld.what == what).count();
-    let distances = scene.welds.iter().map(|weld| weld.distance);
+    let welds = |what| scene.shared.iter().filter(|weld| weld.what == what).count();
+    let distances = scene.shared.iter().map(|weld| weld.distance);
     Report {
-        numerics: scene.picture.numerics.word(),
+        numerics: scene.settings.numerics.word(),
         decisions,
         by_filter: decisions.saturating_sub(taken.exactly + taken.by_rule),
         exactly: taken.exactly,
         by_rule: taken.by_rule,
-        shared_planes: welds(Welded::Plane),
-        shared_lines: welds(Welded::Line),
+        shared_planes: welds(SharedKind::Plane),
+        shared_lines: welds(SharedKind::Line),
         largest_weld: distances.fold(0.0, f64::max),
         largest_error: proven(largest_error),
         largest_bounced_error: proven(largest_bounced_error),

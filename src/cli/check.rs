@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::messages::{Json, Messages, problems_json};
-use super::{Status, input, welds};
+use super::{Status, input, shared};
 use crate::measure;
 
 /// Reads scenes and reports every error, and what is odd about their geometry.
@@ -66,12 +66,12 @@ fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
         let json = serde_json::json!({
             "scene": name,
             "exit": Status::Done.code(),
-            "welds": welds::as_json(&reading.scene),
+            "welds": shared::as_json(&reading.scene),
             "problems": problems_json(&all, sources),
         });
         format!("{json}\n")
     } else {
-        let welds = welds::as_text(&reading.scene, messages.verbose);
+        let welds = shared::as_text(&reading.scene, messages.verbose);
         format!("{name}: {verdict}\n{welds}")
     };
     messages.result(&text, Status::Done)

@@ -6,14 +6,14 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
 use super::dials::Dials;
-use super::input::Failure;
+use super::input::ReadError;
 use super::messages::{Json, Messages, problems_json};
 use super::numbers::whole;
 use super::output::place;
 use super::threads::Threads;
 use super::{Status, input, progress};
 use crate::film::{check_place, save};
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
 use crate::read::Reading;
 use crate::scene::Scene;
@@ -119,12 +119,12 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 }
 
 /// What is printed, and how it ends.
-fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Failure> {
+fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), ReadError> {
     let reader = options.dials.added_to(options.input.options());
     let mut reading = input::read(&options.input.scene, &reader, messages)?;
     check_outputs(options, &reading.scene, messages)?;
     let pool = options.threads.pool();
-    let pool = pool.map_err(|error| Failure::new(Status::Io, error, messages))?;
+    let pool = pool.map_err(|error| ReadError::new(Status::Io, error, messages))?;
     let cost = pool.install(|| measured(options, &mut reading.scene, messages))?;
     let target = options.target.map(|limit| cost.cheapest(limit));
     let budget = options.budget.map(|budget| cost.within(budget));
@@ -148,17 +148,17 @@ fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Fa
     Ok((text, status))
 }
 
-fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result<Cost, Failure> {
+fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result<Cost, ReadError> {
     let title = options.input.title();
-    let refused = |refusal: Refusal| {
-        let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
-        Failure::new(Status::BadInput, error, messages)
+    let refused = |error: ValueError| {
+        let error = format!("{title}: {}; {}", error.reason, error.advice);
+        ReadError::new(Status::BadInput, error, messages)
     };
-    let senseless = |refusal: Refusal| {
-        let error = format!("{}; {}", refusal.reason, refusal.advice);
-        Failure::new(Status::Usage, error, messages)
+    let senseless = |error: ValueError| {
+        let error = format!("{}; {}", error.reason, error.advice);
+        ReadError::new(Status::Usage, error, messages)
     };
-    let base = scene.picture;
+    let base = scene.settings;
     let ladder = match (options.vary.as_slice(), options.grid) {
         ([], _) => Ladder::of(base, &measure::effects_of(scene).map_err(refused)?),
         (variations, true) => Ladder::of_all(base, variations).map_err(senseless)?,
@@ -167,7 +167,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
     let reference = options.reference().map(|path| {
         Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
             let error = format!("cannot compare with {}: {error}", path.display());
-            Failure::new(Status::Io, error, messages)
+            ReadError::new(Status::Io, error, messages)
         })
     });
     let bar = progress::bar(&title, 0, messages);
@@ -189,7 +189,7 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
 
 /// Refuses to write one file twice, over what the scene is made of or compared with, or where nothing can
 /// be written, before anything is measured.
-fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), Failure> {
+fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), ReadError> {
     let outputs = [&options.csv, &options.plot, &options.report];
     let outputs: Vec<&Path> = outputs
         .into_iter()
@@ -227,7 +227,7 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
         } else {
             continue;
         };
-        return Err(Failure::new(error.0, error.1, messages));
+        return Err(ReadError::new(error.0, error.1, messages));
     }
     Ok(())
 }
@@ -237,11 +237,11 @@ fn write(
     cost: &Cost,
     answers: &[(&str, Best)],
     messages: &Messages,
-) -> Result<(), Failure> {
+) -> Result<(), ReadError> {
     let title = options.input.title();
     let cannot = |path: &Path, error: &dyn std::fmt::Display| {
         let error = format!("cannot write {}: {error}", path.display());
-        Failure::new(Status::Io, error, messages)
+        ReadError::new(Status::Io, error, messages)
     };
     let done = |path: &Path| messages.note(&format!("{title} -> {}", path.display()));
     if let Some(path) = &options.csv {
@@ -256,7 +256,7 @@ fn write(
     if let Some(path) = &options.report {
         let page = cost
             .page(&title, answers)
-            .map_err(|refusal| cannot(path, &refusal))?;
+            .map_err(|error| cannot(path, &error))?;
         let saved = save(path, |out| out.write_all(page.as_bytes()));
         saved.map_err(|error| cannot(path, &error))?;
         done(path);

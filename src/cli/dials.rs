@@ -4,10 +4,10 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::camera::Pattern;
-use crate::film::{Depth, Rounding, Transfer};
+use crate::film::{BitDepth, Rounding, Transfer};
 use crate::math::Numerics;
 use crate::read;
-use crate::scene::{Picture, Setting};
+use crate::scene::{RenderSettings, Setting};
 use crate::texture::Filter;
 
 /// Settings of the `image` node.
@@ -34,7 +34,7 @@ pub(super) struct Dials {
     transfer: Option<Setting>,
     /// What the picture's numbers are kept in: code values of 8 or 16 bits, or 32-bit floats, which
     /// are intensities.
-    #[arg(long, value_name = "WORD", value_parser = word("depth", &Depth::WORDS))]
+    #[arg(long, value_name = "WORD", value_parser = word("depth", &BitDepth::WORDS))]
     depth: Option<Setting>,
     /// How intensities are rounded to code values.
     #[arg(long, value_name = "WORD", value_parser = word("quantize", &Rounding::WORDS))]
@@ -49,8 +49,8 @@ pub(super) struct Dials {
 
 impl Dials {
     /// The depth, if it is said.
-    pub(super) fn depth(&self) -> Option<Depth> {
-        Depth::from_word(self.depth.as_ref()?.value().text())
+    pub(super) fn depth(&self) -> Option<BitDepth> {
+        BitDepth::from_word(self.depth.as_ref()?.value().text())
     }
 
     /// The reader's options with what is said.
@@ -95,9 +95,9 @@ fn size(text: &str) -> Result<[u32; 2], String> {
             Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
         });
     let sides = sides.ok_or_else(|| {
-        let longest = Picture::LONGEST_SIDE;
+        let longest = RenderSettings::LONGEST_SIDE;
         format!("expected width and height from 1 to {longest}, such as 800x600")
     })?;
-    Picture::check_size(sides).map_err(|refusal| refusal.reason)?;
+    RenderSettings::check_size(sides).map_err(|error| error.reason)?;
     Ok(sides)
 }

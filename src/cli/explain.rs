@@ -2,12 +2,12 @@
 
 use clap::Args;
 
-use super::input::Failure;
+use super::input::ReadError;
 use super::messages::{Json, Messages, problems_json};
 use super::numbers::whole;
 use super::threads::Threads;
 use super::{Status, explanation, input, progress, story};
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::measure::{self, Prices};
 use crate::read::Reading;
 use crate::scene::Scene;
@@ -45,7 +45,7 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let failed = |failure: &Failure| {
+    let failed = |failure: &ReadError| {
         if options.json.is_asked() {
             messages.result(&failure.json(&options.input.scene), failure.status)
         } else {
@@ -65,21 +65,21 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     };
     match pool.install(|| answer(options, &reading, messages)) {
         Ok(text) => messages.result(&text, Status::Done),
-        Err(refusal) => {
+        Err(error) => {
             let title = options.input.title();
-            let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+            let error = format!("{title}: {}; {}", error.reason, error.advice);
             let status = if options.pixel.is_some() {
                 Status::Usage
             } else {
                 Status::BadInput
             };
-            failed(&Failure::new(status, error, messages))
+            failed(&ReadError::new(status, error, messages))
         }
     }
 }
 
 /// What is printed, if the scene can be rendered.
-fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, Refusal> {
+fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<String, ValueError> {
     let (scene, title) = (&reading.scene, options.input.title());
     let as_json = |value: serde_json::Value| {
         let mut line = serde_json::json!({
@@ -122,7 +122,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
 }
 
 /// What the effects of a scene cost.
-fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, Refusal> {
+fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, ValueError> {
     let bar = progress::bar(&options.input.title(), 0, messages);
     let prices = measure::prices(scene, options.runs, &|drawn, of| {
         bar.set_length(of as u64);

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::stats;
 use crate::accel::{Accelerator, MOST_LISTS};
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
-use crate::plan::{Effect, Seen, Unlit};
+use crate::plan::{Effect, Reachability, Unlit};
 
 /// The widest line that a list of things may fill, in columns.
 const WIDTH: usize = 100;
@@ -140,13 +140,13 @@ fn unlit(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::fm
 
 fn surfaces(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
     let all = explanation.surfaces.len();
-    let those = |seen: Seen| {
+    let those = |seen: Reachability| {
         let rows = explanation.surfaces.iter();
         let rows = rows.filter(move |row| row.seen == seen);
         rows.map(|row| row.surface.title.clone())
             .collect::<Vec<_>>()
     };
-    let (sent_on, unseen) = (those(Seen::SentOn), those(Seen::Never));
+    let (sent_on, unseen) = (those(Reachability::SentOn), those(Reachability::Never));
     writeln!(out, "\nsurfaces")?;
     writeln!(out, "  {} of {all} can be met by a ray", all - unseen.len())?;
     list(

@@ -7,7 +7,7 @@ use super::certificate::Report;
 use super::messages::{Messages, problems_json};
 use super::output::Output;
 use super::{Status, stats};
-use crate::film::{Notes, Print, Region, save};
+use crate::film::{EncodedImage, Notes, Region, save};
 use crate::language::Problem;
 use crate::measure::LightTests;
 use crate::render::Counts;
@@ -35,8 +35,8 @@ pub(super) struct Finished<'a> {
 
 impl Finished<'_> {
     /// Writes it to its place, with the settings and the scene that it is of.
-    pub(super) fn write(&self, print: &Print) -> std::io::Result<()> {
-        let settings = self.scene.picture.describe().to_string();
+    pub(super) fn write(&self, print: &EncodedImage) -> std::io::Result<()> {
+        let settings = self.scene.settings.describe().to_string();
         let version = concat!("heliodon ", env!("CARGO_PKG_VERSION"));
         let mut notes = vec![
             ("Software", version.to_owned()),
@@ -64,7 +64,7 @@ impl Finished<'_> {
 
     /// All there is to say, as one line of JSON.
     pub(super) fn json(&self) -> String {
-        let picture = &self.scene.picture;
+        let picture = &self.scene.settings;
         let mut line = serde_json::json!({
             "scene": self.title,
             "exit": self.status.code(),
@@ -92,7 +92,7 @@ impl Finished<'_> {
 
     /// Says what is asked, and gives the status to end with.
     pub(super) fn say(&self, messages: &Messages) -> Status {
-        let picture = &self.scene.picture;
+        let picture = &self.scene.settings;
         messages.note(&format!(
             "{} -> {}, {}x{}, {:.2} s",
             self.title,

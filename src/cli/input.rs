@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 
 use super::Status;
 use super::messages::{Messages, problems_json};
-use crate::language::Refusal;
-use crate::read::{Language, Options, Reading, Rejection, bytes_from, read_bytes, read_file};
+use crate::language::ValueError;
+use crate::read::{Language, Options, Reading, SceneError, bytes_from, read_bytes, read_file};
 use crate::scene::Scene;
 
 /// The word for standard input and standard output.
@@ -46,7 +46,7 @@ impl OneScene {
     }
 
     /// Reads it with no other options than its own.
-    pub(super) fn read(&self, messages: &Messages) -> Result<Reading, Failure> {
+    pub(super) fn read(&self, messages: &Messages) -> Result<Reading, ReadError> {
         read(&self.scene, &self.options(), messages)
     }
 
@@ -61,7 +61,7 @@ pub(super) fn read(
     scene: &Path,
     options: &Options,
     messages: &Messages,
-) -> Result<Reading, Failure> {
+) -> Result<Reading, ReadError> {
     let read = if scene.as_os_str() == DASH {
         let bytes = bytes_from(std::io::stdin().lock());
         bytes.map(|bytes| read_bytes("stdin", bytes, PathBuf::new(), options))
@@ -72,23 +72,23 @@ pub(super) fn read(
         Ok(Ok(reading)) => {
             messages.problems(&reading.warnings, &reading.scene.sources);
             // A scene that makes no sense by itself has been rejected.
-            if let Err(Refusal { reason, advice, .. }) = reading.scene.picture.check() {
+            if let Err(ValueError { reason, advice, .. }) = reading.scene.settings.check() {
                 let error = format!("{}: {reason}; {advice}", title(scene));
-                return Err(Failure::new(Status::Usage, error, messages));
+                return Err(ReadError::new(Status::Usage, error, messages));
             }
             Ok(reading)
         }
-        Ok(Err(rejection)) => {
-            messages.problems(&rejection.problems, &rejection.sources);
-            Err(Failure {
+        Ok(Err(scene_error)) => {
+            messages.problems(&scene_error.problems, &scene_error.sources);
+            Err(ReadError {
                 status: Status::BadInput,
-                rejection: Some(rejection),
+                scene_error: Some(scene_error),
                 error: None,
             })
         }
         Err(error) => {
             let error = format!("cannot read {}: {error}", title(scene));
-            Err(Failure::new(Status::Io, error, messages))
+            Err(ReadError::new(Status::Io, error, messages))
         }
     }
 }
@@ -120,27 +120,27 @@ pub(super) fn title(scene: &Path) -> String {
 
 /// Why a scene could not be read; already shown.
 #[derive(Debug)]
-pub(super) struct Failure {
+pub(super) struct ReadError {
     pub(super) status: Status,
-    rejection: Option<Rejection>,
+    scene_error: Option<SceneError>,
     error: Option<String>,
 }
 
-impl Failure {
+impl ReadError {
     /// A failure that is no mistake in a scene's text; says so.
     pub(super) fn new(status: Status, error: String, messages: &Messages) -> Self {
         messages.error(&format!("error: {error}"));
         Self {
             status,
-            rejection: None,
+            scene_error: None,
             error: Some(error),
         }
     }
 
     /// The failure as one line of JSON.
     pub(super) fn json(&self, scene: &Path) -> String {
-        let rejection = self.rejection.as_ref();
-        let problems = rejection.map(|no| problems_json(&no.problems, &no.sources));
+        let scene_error = self.scene_error.as_ref();
+        let problems = scene_error.map(|no| problems_json(&no.problems, &no.sources));
         let line = serde_json::json!({
             "scene": title(scene),
             "exit": self.status.code(),

@@ -19,11 +19,11 @@ mod numbers;
 mod output;
 mod progress;
 mod render;
+mod shared;
 mod stats;
 mod status;
 mod story;
 mod threads;
-mod welds;
 
 use std::process::ExitCode;
 

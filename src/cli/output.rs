@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::Status;
 use super::asked::Asked;
 use super::input::DASH;
-use crate::film::{Depth, Format};
+use crate::film::{BitDepth, Format};
 
 /// Where one scene's picture goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,7 +46,7 @@ impl Outputs {
     }
 
     /// The one for a picture of this depth, or the usual one if none has it.
-    pub(super) fn of_depth(&self, depth: Depth) -> &Output {
+    pub(super) fn of_depth(&self, depth: BitDepth) -> &Output {
         let mut outputs = self.0.iter();
         let fitting = outputs.find(|output| output.format.depth() == depth);
         fitting.unwrap_or(&self.0[0])
@@ -55,13 +55,13 @@ impl Outputs {
 
 /// Why there is no place for a picture.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Refused {
+pub(super) struct OutputError {
     pub(super) status: Status,
     pub(super) reason: String,
 }
 
-fn usage(reason: impl Into<String>) -> Refused {
-    Refused {
+fn usage(reason: impl Into<String>) -> OutputError {
+    OutputError {
         status: Status::Usage,
         reason: reason.into(),
     }
@@ -72,7 +72,7 @@ fn usage(reason: impl Into<String>) -> Refused {
 /// # Errors
 /// If two pictures would go to one file, a picture would replace a scene, the format cannot be
 /// told, what is asked for contradicts itself, or a folder is missing.
-pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, Refused> {
+pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, OutputError> {
     if asked.pattern == Some(DASH) {
         return to_standard_output(scenes, asked);
     }
@@ -104,7 +104,7 @@ pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>,
     Ok(all)
 }
 
-fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, Refused> {
+fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, OutputError> {
     if scenes.len() > 1 {
         return Err(usage("only one picture can go to standard output"));
     }
@@ -119,7 +119,7 @@ fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Output
     )])
 }
 
-fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, Refused> {
+fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, OutputError> {
     let stem = if scene.as_os_str() == DASH {
         "stdin".into()
     } else {
@@ -146,7 +146,7 @@ fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, Refused> {
 }
 
 /// The pattern with `{stem}` replaced; other words in braces are mistakes.
-fn filled(pattern: &str, stem: &str) -> Result<String, Refused> {
+fn filled(pattern: &str, stem: &str) -> Result<String, OutputError> {
     let mut text = String::new();
     let mut rest = pattern;
     while let Some(open) = rest.find('{') {
@@ -167,7 +167,7 @@ fn filled(pattern: &str, stem: &str) -> Result<String, Refused> {
 }
 
 /// The one true path of a file that may not exist yet; its folder must.
-pub(super) fn place(path: &Path) -> Result<PathBuf, Refused> {
+pub(super) fn place(path: &Path) -> Result<PathBuf, OutputError> {
     if let Ok(place) = path.canonicalize() {
         return Ok(place);
     }
@@ -175,7 +175,7 @@ pub(super) fn place(path: &Path) -> Result<PathBuf, Refused> {
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
     let folder = parent.unwrap_or(Path::new("."));
-    let place = folder.canonicalize().map_err(|error| Refused {
+    let place = folder.canonicalize().map_err(|error| OutputError {
         status: Status::Io,
         reason: match error.kind() {
             ErrorKind::NotFound => format!("there is no folder {}", folder.display()),
@@ -189,7 +189,7 @@ pub(super) fn place(path: &Path) -> Result<PathBuf, Refused> {
 mod tests {
     use super::*;
 
-    fn named(scenes: &[&str], asked: Asked<'_>, depth: Depth) -> Result<Vec<String>, String> {
+    fn named(scenes: &[&str], asked: Asked<'_>, depth: BitDepth) -> Result<Vec<String>, String> {
         let scenes: Vec<_> = scenes.iter().map(PathBuf::from).collect();
         let all = plan(&scenes, asked).map_err(|refused| refused.reason)?;
         let outputs = all.iter().map(|outputs| outputs.of_depth(depth));
@@ -202,7 +202,7 @@ mod tests {
             pattern,
             ..Asked::default()
         };
-        named(scenes, asked, Depth::Eight)
+        named(scenes, asked, BitDepth::Eight)
     }
 
     #[test]
@@ -249,7 +249,7 @@ mod tests {
     fn by_depth(
         pattern: Option<&str>,
         format: Option<Format>,
-        depth: Option<Depth>,
+        depth: Option<BitDepth>,
     ) -> Result<Vec<String>, String> {
         let asked = Asked {
             pattern,
@@ -257,7 +257,7 @@ mod tests {
             depth,
         };
         let of = |depth| Ok(named(&["a.kdl"], asked, depth)?.concat());
-        Depth::ALL.into_iter().map(of).collect()
+        BitDepth::ALL.into_iter().map(of).collect()
     }
 
     #[test]
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn a_depth_that_is_asked_for_is_kept_or_refused() {
-        let (eight, sixteen, float) = (Depth::Eight, Depth::Sixteen, Depth::Float);
+        let (eight, sixteen, float) = (BitDepth::Eight, BitDepth::Sixteen, BitDepth::Float);
         for (pattern, format, depth, expected) in [
             (None, None, eight, "a.png Png8"),
             (None, None, sixteen, "a.png Png16"),
@@ -324,7 +324,7 @@ mod tests {
             assert!(error.contains(expected), "{error}");
         }
         for format in Format::ALL {
-            for depth in Depth::ALL.into_iter().filter(|it| *it != format.depth()) {
+            for depth in BitDepth::ALL.into_iter().filter(|it| *it != format.depth()) {
                 let error = by_depth(None, Some(format), Some(depth)).unwrap_err();
                 let other = format.depth().word();
                 let expected = format!("contradicts --format, which asks for a depth of {other};");

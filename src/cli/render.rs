@@ -10,13 +10,13 @@ use super::asked::Asked;
 use super::certificate::{self, Report};
 use super::dials::Dials;
 use super::finished::Finished;
-use super::input::Failure;
+use super::input::ReadError;
 use super::messages::{Json, Messages};
 use super::output::{Outputs, plan};
 use super::threads::Threads;
 use super::{FormatWord, Status, input, progress};
-use crate::film::{Format, Print, Region, check_place};
-use crate::language::Refusal;
+use crate::film::{EncodedImage, Format, Region, check_place};
+use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::Scope;
 use crate::read;
@@ -69,7 +69,7 @@ fn crop(text: &str) -> Result<Region, String> {
         return Err("expected four whole numbers, such as 10,20,30,40".to_owned());
     };
     Region::between([*left, *top], [*right, *bottom])
-        .map_err(|refusal| format!("{}; {}", refusal.reason, refusal.advice))
+        .map_err(|error| format!("{}; {}", error.reason, error.advice))
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
@@ -143,7 +143,7 @@ struct Batch<'a> {
 }
 
 /// A picture that is drawn, and what was seen meanwhile.
-type Drawn = (Print, Counts, Option<Report>);
+type Drawn = (EncodedImage, Counts, Option<Report>);
 
 impl Batch<'_> {
     /// Renders one scene, writes its picture, and tells of it as is asked.
@@ -157,26 +157,26 @@ impl Batch<'_> {
     }
 
     /// Renders one scene and writes its picture.
-    fn picture<'o>(&self, scene: &Path, outputs: &'o Outputs) -> Result<Finished<'o>, Failure> {
+    fn picture<'o>(&self, scene: &Path, outputs: &'o Outputs) -> Result<Finished<'o>, ReadError> {
         let start = Instant::now();
         let title = input::title(scene);
-        let failure = |status, error| Failure::new(status, error, self.messages);
+        let failure = |status, error| ReadError::new(status, error, self.messages);
         let reading = input::read(scene, &self.reader, self.messages)?;
         let (mut read, warnings) = (reading.scene, reading.warnings);
-        let output = outputs.of_depth(read.picture.depth);
+        let output = outputs.of_depth(read.settings.depth);
         // The command line comes before the scene, and what was kept is what the settings say.
-        read.picture.depth = output.format.depth();
+        read.settings.depth = output.format.depth();
         let replaced = output.path.as_ref();
         if let Some(replaced) = replaced.and_then(|path| input::part_at(path, scene, &read)) {
             let error =
                 format!("the picture of {title} would replace {replaced}, which it is made of");
             return Err(failure(Status::Usage, error));
         }
-        let size = [read.picture.width, read.picture.height];
+        let size = [read.settings.width, read.settings.height];
         let crop = self.options.crop;
         let part = crop.unwrap_or_else(|| Region::whole(size));
-        part.check_within(size).map_err(|refusal| {
-            let error = format!("{title}: {}; {}", refusal.reason, refusal.advice);
+        part.check_within(size).map_err(|error| {
+            let error = format!("{title}: {}; {}", error.reason, error.advice);
             failure(Status::Usage, error)
         })?;
         let cannot_write = |error: std::io::Error| {
@@ -189,7 +189,7 @@ impl Batch<'_> {
         }
         let drawn = self.draw(&read, part, output.format, &title);
         let (mut print, counts, certificate) = drawn
-            .map_err(|refusal| failure(Status::BadInput, format!("{title}: {}", refusal.reason)))?;
+            .map_err(|error| failure(Status::BadInput, format!("{title}: {}", error.reason)))?;
         inject_fault(&mut print);
         let mut finished = Finished {
             hash: read.hash(),
@@ -217,7 +217,7 @@ impl Batch<'_> {
         part: Region,
         format: Format,
         title: &str,
-    ) -> Result<Drawn, Refusal> {
+    ) -> Result<Drawn, ValueError> {
         let bar = progress::bar(title, part.height as u64, self.messages);
         let progress = |rows| bar.set_position(rows as u64);
         let scope = if self.options.simulate_everything {
@@ -233,7 +233,7 @@ impl Batch<'_> {
             let (film, seen): (_, Both<Counts, Certificate>) =
                 render::observed_part(scene, scope, part, &progress)?;
             let report = certificate::report(&seen, scene, &film);
-            let print = Print::of(&film, format, scene.picture.encoding());
+            let print = EncodedImage::of(&film, format, scene.settings.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;
             Ok((print, seen.0, Some(report)))
         });
@@ -244,19 +244,19 @@ impl Batch<'_> {
 
 /// Spoils a pixel if the environment asks for it, so that a test can see what the program does
 /// about a fault that it ought not to have.
-fn inject_fault(print: &mut Print) {
+fn inject_fault(print: &mut EncodedImage) {
     let asked = std::env::var_os("HELIODON_FAULT").is_some_and(|fault| fault == "non-finite");
     if asked {
         let nonsense = Rgb::new(f64::NAN, 0.0, 0.0);
         print
             .rows()
             .take(1)
-            .for_each(|mut row| row.expose(&[nonsense]));
+            .for_each(|mut row| row.encode_row(&[nonsense]));
     }
 }
 
 /// Reports pixels that are no numbers; there should never be one.
-fn non_finite(print: &Print, title: &str, messages: &Messages) -> Status {
+fn non_finite(print: &EncodedImage, title: &str, messages: &Messages) -> Status {
     const MOST: usize = 10;
     let odd: Vec<_> = print.non_finite().collect();
     if odd.is_empty() {

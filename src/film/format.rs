@@ -1,6 +1,6 @@
 //! The kinds of picture files.
 
-use super::{Depth, Encoding, pfm};
+use super::{BitDepth, Encoding, pfm};
 use crate::math::Rgb;
 
 /// A kind of picture file.
@@ -22,11 +22,11 @@ impl Format {
 
     /// What its numbers are kept in.
     #[must_use]
-    pub fn depth(self) -> Depth {
+    pub fn depth(self) -> BitDepth {
         match self {
-            Self::Png8 | Self::Ppm => Depth::Eight,
-            Self::Png16 => Depth::Sixteen,
-            Self::Pfm => Depth::Float,
+            Self::Png8 | Self::Ppm => BitDepth::Eight,
+            Self::Png16 => BitDepth::Sixteen,
+            Self::Pfm => BitDepth::Float,
         }
     }
 

@@ -1,22 +1,22 @@
 //! Pixels in memory and on disk.
 
-mod depth;
+mod bit_depth;
+mod encoded_image;
 mod encoding;
 mod format;
 mod load;
 mod pfm;
 mod png;
 mod ppm;
-mod print;
 mod region;
 mod rounding;
 mod save;
 mod transfer;
 
-pub use depth::Depth;
+pub use bit_depth::BitDepth;
+pub use encoded_image::{EncodedImage, EncodedRow};
 pub use encoding::Encoding;
 pub use format::Format;
-pub use print::{Print, PrintRow};
 pub use region::Region;
 pub use rounding::Rounding;
 pub use save::{check_place, discard_unfinished, save};
@@ -137,7 +137,7 @@ impl Film {
         encoding: impl Into<Encoding>,
         notes: &Notes,
     ) -> io::Result<()> {
-        let print = Print::of(self, format, encoding.into());
+        let print = EncodedImage::of(self, format, encoding.into());
         print.ok_or(io::ErrorKind::OutOfMemory)?.write(out, notes)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Format, Print};
+use super::{EncodedImage, Format};
 
 /// What is stored of an intensity: brighter than a float can say is as bright as it can say.
 #[expect(
@@ -14,7 +14,7 @@ pub(super) fn float(intensity: f64) -> f32 {
 }
 
 /// Writes 32-bit little-endian floats; this format's rows run from bottom to top.
-pub(super) fn write(print: &Print, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(print: &EncodedImage, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "PF\n{} {}\n-1.0\n", print.width, print.height)?;
     let row = print.width * Format::Pfm.pixel_size();
     let mut rows = print.bytes().chunks(row).rev();

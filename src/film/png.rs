@@ -2,14 +2,14 @@
 
 use std::io::{self, Write};
 
-use super::{Notes, Print, Transfer};
+use super::{EncodedImage, Notes, Transfer};
 
 /// Writes a PNG with the notes as text chunks; nothing in it depends on clock, host or path.
 ///
 /// With the curve of sRGB it says so. Without a curve it says nothing, like the chapter's files: a viewer
 /// that was told that the numbers are intensities would show another picture than the chapter does.
 pub(super) fn write(
-    print: &Print,
+    print: &EncodedImage,
     out: &mut dyn Write,
     depth: png::BitDepth,
     notes: &Notes,

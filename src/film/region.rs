@@ -1,6 +1,6 @@
 //! A part of a picture.
 
-use crate::language::Refusal;
+use crate::language::ValueError;
 
 /// A rectangle of pixels, at least one; columns and rows are counted from the top left, from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,9 +31,9 @@ impl Region {
     ///
     /// # Errors
     /// Refuses a region without pixels.
-    pub fn between([left, top]: [u32; 2], [right, bottom]: [u32; 2]) -> Result<Self, Refusal> {
+    pub fn between([left, top]: [u32; 2], [right, bottom]: [u32; 2]) -> Result<Self, ValueError> {
         if left >= right || top >= bottom {
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "image",
                 format!(
                     "there is no pixel from {left},{top} up to but not including {right},{bottom}"
@@ -102,12 +102,12 @@ impl Region {
     ///
     /// # Errors
     /// Refuses a region that reaches beyond it.
-    pub fn check_within(&self, [width, height]: [u32; 2]) -> Result<(), Refusal> {
+    pub fn check_within(&self, [width, height]: [u32; 2]) -> Result<(), ValueError> {
         let [left, top, right, bottom] = self.corners();
         if right <= width as usize && bottom <= height as usize {
             return Ok(());
         }
-        Err(Refusal::new(
+        Err(ValueError::new(
             "image",
             format!(
                 "the crop {left},{top},{right},{bottom} reaches beyond the picture of {width} by \

@@ -7,19 +7,19 @@
 mod joined;
 mod node;
 mod problem;
-mod refusal;
 mod schema;
 mod source;
 mod suggest;
 mod value;
+mod value_error;
 mod words;
 
 pub use joined::joined;
 pub use node::{Entry, Node};
 pub use problem::{Problem, Severity, render_problems};
-pub use refusal::Refusal;
 pub use schema::{Attribute, Default, Naming, Range, Reference, Schema, Takes};
 pub use source::{Location, Source, Sources};
 pub use suggest::did_you_mean;
 pub use value::Value;
+pub use value_error::ValueError;
 pub(crate) use words::words;

@@ -2,7 +2,7 @@
 
 /// Gives the values of an enum the words that scenes and the command line have for them.
 ///
-/// From `words!(Depth { Eight: "8", Sixteen: "16", Float: "float" })` the schema, the readers, the
+/// From `words!(BitDepth { Eight: "8", Sixteen: "16", Float: "float" })` the schema, the readers, the
 /// messages and the help of the command line know what may be said. A value without a word does not
 /// compile.
 macro_rules! words {

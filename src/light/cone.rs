@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{ATTRIBUTES, Light};
-use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Range, Schema, Takes, ValueError};
 use crate::math::unit;
 
 /// A cone of light with a hard edge and no fall-off across it.
@@ -41,9 +41,9 @@ impl Cone {
     ///
     /// # Errors
     /// Refuses a light that points at itself.
-    pub fn new(location: DVec3, point: DVec3, theta: f64) -> Result<Self, Refusal> {
+    pub fn new(location: DVec3, point: DVec3, theta: f64) -> Result<Self, ValueError> {
         let axis = unit(point - location).ok_or_else(|| {
-            Refusal::new(
+            ValueError::new(
                 "point",
                 "the spotlight points at its own location",
                 "give `point` another place, in the middle of what is to be lit",

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::{APART, UNIT};
+use super::error_bounds::{APART, UNIT};
 use super::{Bounds, Point};
 
 /// A ball around something; what is in it may lie beside it by a few roundings.

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::band::{GRAZING, HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
+use super::error_bounds::{GRAZING, HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
 use super::exact::Sign;
-use super::{Decisions, Departure, Flat, Ray, Segment, Side, Span};
+use super::{Decisions, Flat, Ray, RayOrigin, Segment, Side, Span};
 
 /// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
 #[derive(Debug, Clone, Copy)]
@@ -220,18 +220,18 @@ impl Flat {
         let mut ray = *ray;
         let mut inherited = false;
         let side = loop {
-            let Some(departure) = ray.departure else {
+            let Some(ray_origin) = ray.ray_origin else {
                 break self.exact_side(&ray.origin);
             };
-            if departure.is_in(self) {
+            if ray_origin.is_in(self) {
                 inherited = true;
                 break self.exact_slope(ray.dir).sign();
             }
-            if let Some(height) = self.certain_height(departure) {
+            if let Some(height) = self.certain_height(ray_origin) {
                 break Sign::of(height);
             }
             inherited = true;
-            ray = *departure.arriving;
+            ray = *ray_origin.arriving;
         };
         if !inherited {
             return (side, None);
@@ -241,7 +241,7 @@ impl Flat {
     }
     /// The height of a hit above the plane, unless it is so close to the plane that rounding leaves doubt about
     /// its side.
-    fn certain_height(&self, hit: &Departure<'_>) -> Option<f64> {
+    fn certain_height(&self, hit: &RayOrigin<'_>) -> Option<f64> {
         let (way, size) = hit.point.seen_from(self.point);
         let height = self.normal.dot(way);
         let is_certain = height.abs() > HEIGHT * size + self.slack + hit.rounding();
@@ -251,7 +251,7 @@ impl Flat {
     /// Whether a ray leaves a hit so close to the plane that its side of it is not measured.
     #[must_use]
     pub fn is_next_to_start(&self, ray: &Ray) -> bool {
-        let departure = ray.departure;
-        departure.is_some_and(|departure| self.certain_height(departure).is_none())
+        let ray_origin = ray.ray_origin;
+        ray_origin.is_some_and(|ray_origin| self.certain_height(ray_origin).is_none())
     }
 }

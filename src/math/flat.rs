@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::band::{HEIGHT, UNDERFLOW, UNIT};
+use super::error_bounds::{HEIGHT, UNDERFLOW, UNIT};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
 use super::{Crossing, Decisions, Point, Ray, Side, Span};
-use crate::language::Refusal;
+use crate::language::ValueError;
 
 /// A plane through a point, with a unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,10 +32,10 @@ impl Flat {
     ///
     /// # Errors
     /// Refuses a zero normal.
-    pub fn new(point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+    pub fn new(point: DVec3, normal: DVec3) -> Result<Self, ValueError> {
         let unit = RationalVector::of_decimals(normal).unit();
         if unit == DVec3::ZERO {
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "normal",
                 "the normal is zero",
                 "a normal is the direction that the surface faces, such as 0 1 0 for a floor",
@@ -84,7 +84,7 @@ impl Flat {
     ///
     /// # Errors
     /// Refuses a zero normal.
-    pub fn near(eye: DVec3, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+    pub fn near(eye: DVec3, point: DVec3, normal: DVec3) -> Result<Self, ValueError> {
         // Half of a double's digits.
         const FAR: f64 = 67_108_864.0; // 2^26
         let plane = Self::new(point, normal)?;
@@ -271,7 +271,7 @@ impl Flat {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{Departure, unit};
+    use crate::math::{RayOrigin, unit};
 
     fn floor() -> Flat {
         Flat::new(DVec3::ZERO, DVec3::new(0.0, 3.0, 0.0)).expect("a plane")
@@ -328,10 +328,10 @@ mod tests {
             offset: DVec3::new(x, y, 0.0),
         };
         // Both places are within rounding of the edge.
-        let passed = Departure::new((None, Some(&pane)), &eye, met(1e-17, 0.0), 1e-16);
-        let behind = Ray::leaving(&passed, down);
-        let mirrored = Departure::new((None, Some(&wall)), &behind, met(0.0, -1e-17), 1e-16);
-        let away = Ray::leaving(&mirrored, behind.mirrored(wall.normal));
+        let passed = RayOrigin::new((None, Some(&pane)), &eye, met(1e-17, 0.0), 1e-16);
+        let behind = Ray::spawn(&passed, down);
+        let mirrored = RayOrigin::new((None, Some(&wall)), &behind, met(0.0, -1e-17), 1e-16);
+        let away = Ray::spawn(&mirrored, behind.mirrored(wall.normal));
         assert!(pane.crossing(&away).is_none());
     }
 }

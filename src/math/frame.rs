@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::exact::{ExactVector, RationalVector};
 use super::{Flat, Ray, unit};
-use crate::language::Refusal;
+use crate::language::ValueError;
 
 /// The axes of a plane: `x` grows to the right, `y` upward, the normal towards the viewer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,26 +24,26 @@ impl Frame {
     /// # Errors
     /// Refuses an `xdir` that is zero, parallel to the normal, or so nearly parallel that the
     /// projection is mostly the rounding of its decimals: below 2⁻²⁰ rad, a fifth of a second.
-    pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, Refusal> {
+    pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, ValueError> {
         Self::of(xdir, &ExactFrame::new(normal, xdir))
     }
 
     /// The axes that are those of an exact frame, rounded.
-    pub(super) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, Refusal> {
+    pub(super) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, ValueError> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
         let expected = "expected a direction that is not the normal's";
-        let refusal = |reason: &str| Refusal::new("xdir", reason, advice).expected(expected);
+        let error = |reason: &str| ValueError::new("xdir", reason, advice).expected(expected);
         if xdir == DVec3::ZERO {
-            return Err(refusal("xdir is zero"));
+            return Err(error("xdir is zero"));
         }
         if exact.x.is_zero() {
-            return Err(refusal("xdir is parallel to the normal"));
+            return Err(error("xdir is parallel to the normal"));
         }
         // |n × x|² < 2⁻⁴⁰ |n|² |x|²
         let across = exact.y.dot(&exact.y) * RBig::from(1u64 << 40);
         let lengths = exact.normal.dot(&exact.normal) * exact.xdir.dot(&exact.xdir);
         if across < lengths {
-            return Err(refusal("xdir is nearly parallel to the normal"));
+            return Err(error("xdir is nearly parallel to the normal"));
         }
         Ok(Self {
             x: exact.x.unit(),

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::Decisions;
-use super::band::UNIT;
+use super::error_bounds::UNIT;
 
 /// Lines at all whole multiples of a distance.
 ///

@@ -1,6 +1,6 @@
 //! What of a ray counts, and what decides where that ends.
 
-use super::band::{UNDERFLOW, UNIT};
+use super::error_bounds::{UNDERFLOW, UNIT};
 use super::exact::Sign;
 use super::{Flat, Ray, Side, Span};
 

@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::band::{FOOT, HEIGHT, SLIDE, UNIT};
+use super::error_bounds::{FOOT, HEIGHT, SLIDE, UNIT};
 use super::vector::reflected;
 use super::{Flat, Point};
 
 /// The plane, sphere or other surface sheet that a hit lies on. Coplanar surfaces share one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Support(pub u32);
+pub struct CarrierId(pub u32);
 
 /// A half-line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Ray<'a> {
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
-    pub departure: Option<&'a Departure<'a>>,
+    pub ray_origin: Option<&'a RayOrigin<'a>>,
     /// The ray's share in what a height above a plane can be off by when the way to the plane's
     /// point is computed.
     pub(crate) doubt: f64,
@@ -28,10 +28,10 @@ pub struct Ray<'a> {
 
 /// A hit from which other rays start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Departure<'a> {
+pub struct RayOrigin<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
-    pub support: Option<Support>,
+    pub support: Option<CarrierId>,
     /// The surface's plane, if it is flat.
     pub flat: Option<&'a Flat>,
     /// The hit.
@@ -56,14 +56,14 @@ pub struct Curve {
     pub normal: DVec3,
 }
 
-impl<'a> Departure<'a> {
+impl<'a> RayOrigin<'a> {
     /// The hit of a ray at this point of a surface on this sheet.
     ///
     /// `slip` is how far it may be off because its distance is.
     #[must_use]
     #[inline]
     pub fn new(
-        (support, flat): (Option<Support>, Option<&'a Flat>),
+        (support, flat): (Option<CarrierId>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
         point: Point,
         slip: f64,
@@ -109,7 +109,7 @@ impl<'a> Ray<'a> {
         Self {
             origin,
             dir,
-            departure: None,
+            ray_origin: None,
             doubt: HEIGHT * origin.size(),
             astray: 0.0,
         }
@@ -117,14 +117,14 @@ impl<'a> Ray<'a> {
 
     /// A ray that starts from a hit.
     #[must_use]
-    pub fn leaving(departure: &'a Departure<'a>, dir: DVec3) -> Self {
+    pub fn spawn(ray_origin: &'a RayOrigin<'a>, dir: DVec3) -> Self {
         debug_assert!(is_unit(dir), "{dir} is not unit");
         Self {
-            origin: departure.point,
+            origin: ray_origin.point,
             dir,
-            departure: Some(departure),
-            doubt: departure.doubt,
-            astray: departure.astray,
+            ray_origin: Some(ray_origin),
+            doubt: ray_origin.doubt,
+            astray: ray_origin.astray,
         }
     }
 
@@ -138,13 +138,14 @@ impl<'a> Ray<'a> {
     /// How far at most its origin lies from where it ought to.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        self.departure.map_or(0.0, |departure| departure.rounding())
+        self.ray_origin
+            .map_or(0.0, |ray_origin| ray_origin.rounding())
     }
 
     /// The sheet that it starts from.
     #[must_use]
-    pub fn leaves(&self) -> Option<Support> {
-        self.departure.and_then(|departure| departure.support)
+    pub fn leaves(&self) -> Option<CarrierId> {
+        self.ray_origin.and_then(|ray_origin| ray_origin.support)
     }
 
     /// Whether it goes to the inside of this round thing, if it starts from its surface.
@@ -152,7 +153,7 @@ impl<'a> Ray<'a> {
     /// That is the side for which the direction was made, whatever the rounded point says.
     #[must_use]
     pub fn goes_inside(&self, round: [DVec3; 2]) -> Option<bool> {
-        let curve = self.departure?.curve?;
+        let curve = self.ray_origin?.curve?;
         (curve.round == round).then(|| self.dir.dot(curve.normal) < 0.0)
     }
 

@@ -2,12 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
-use super::band::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
 use super::crossing::InDoubt;
+use super::error_bounds::{EXTENT, MOMENT_PER_HEIGHT, UNDERFLOW};
 use super::exact::ExactVector;
 use super::line::inside_all;
-use super::{Blueprint, Crossing, ExactFrame, Flat, Frame, Line, Point, Ray, Segment, Side, Span};
-use crate::language::Refusal;
+use super::{
+    Crossing, ExactFrame, ExactGeometry, Flat, Frame, Line, Point, Ray, Segment, Side, Span,
+};
+use crate::language::ValueError;
 
 /// A rectangle with its lower-left corner, its axes and its size.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,12 +33,12 @@ impl Rectangle {
     /// # Errors
     /// Refuses a zero normal, an `xdir` that is zero or nearly parallel to it, a size not above
     /// zero.
-    pub fn new(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Result<Self, Refusal> {
+    pub fn new(corner: DVec3, normal: DVec3, xdir: DVec3, size: DVec2) -> Result<Self, ValueError> {
         let flat = Flat::new(corner, normal)?;
         let exact = ExactFrame::new(normal, xdir);
         let frame = Frame::of(xdir, &exact)?;
         if !(size.is_finite() && size.min_element() > 0.0) {
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "dimensions",
                 "width and height must be above zero",
                 "to turn a surface around, change its point, xdir or normal",
@@ -48,9 +50,9 @@ impl Rectangle {
             Line::new(corner, -frame.x, 0.0),
             Line::new(corner, frame.x, size.y),
         ];
-        let blueprint = Blueprint::framed(corner, exact, size);
-        for (border, exact) in borders.iter_mut().zip(&blueprint.borders) {
-            *border = exact.exact_line(&blueprint.normal).unwrap_or(*border);
+        let exact_geometry = ExactGeometry::framed(corner, exact, size);
+        for (border, exact) in borders.iter_mut().zip(&exact_geometry.borders) {
+            *border = exact.exact_line(&exact_geometry.normal).unwrap_or(*border);
         }
         Ok(Self {
             flat,

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Crossing, Departure, Flat, Limits, Point, Ray, Span, direction};
+use super::{Crossing, Flat, Limits, Point, Ray, RayOrigin, Span, direction};
 
 /// The straight way from a point on a surface to another point, such as a light.
 #[derive(Debug, Clone, Copy)]
@@ -21,9 +21,9 @@ impl<'a> Segment<'a> {
     /// The segment from a hit to a point; `None` if they coincide.
     #[must_use]
     #[inline]
-    pub fn new(departure: &'a Departure<'a>, end: impl Into<Point>) -> Option<Self> {
-        Self::along(departure.point, end.into(), |dir| {
-            Ray::leaving(departure, dir)
+    pub fn new(ray_origin: &'a RayOrigin<'a>, end: impl Into<Point>) -> Option<Self> {
+        Self::along(ray_origin.point, end.into(), |dir| {
+            Ray::spawn(ray_origin, dir)
         })
     }
 

@@ -34,7 +34,10 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
         .collect();
     warnings.extend(useless_lights(scene));
     warnings.extend(useless_lamps(scene));
-    if let Ok(camera) = scene.view.camera(scene.picture.width, scene.picture.height) {
+    if let Ok(camera) = scene
+        .view
+        .camera(scene.settings.width, scene.settings.height)
+    {
         warnings.extend(surfaces().filter_map(|surface| around_camera(surface, &camera)));
         let hidden = surfaces().filter(|surface| !in_front(*surface, &camera, &scene.view));
         warnings.extend(hidden.filter_map(|surface| never_in_front(surface, &scene.view)));

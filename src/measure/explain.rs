@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::{LightRow, LightTests};
-use crate::language::{Location, Refusal, Sources};
-use crate::plan::{Cause, Decision, Effect, Plan, Scope, Seen};
+use crate::language::{Location, Sources, ValueError};
+use crate::plan::{Cause, Decision, Effect, Plan, Reachability, Scope};
 use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
 use crate::surface::classic;
@@ -66,7 +66,7 @@ pub struct SurfaceRow {
     /// The surface.
     pub surface: Thing,
     /// How rays can meet it.
-    pub seen: Seen,
+    pub seen: Reachability,
 }
 
 /// An image in use.
@@ -101,8 +101,8 @@ const MOST_PIXELS: usize = 4_096;
 ///
 /// # Errors
 /// Refuses a camera that cannot exist.
-pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, ValueError> {
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
     let sources = &scene.sources;
     let surfaces = scene.surfaces.iter().zip(&plan.seen);
@@ -111,11 +111,11 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
     } else {
         Work::estimated(&plan)
     };
-    let pixels = u64::from(scene.picture.width) * u64::from(scene.picture.height);
+    let pixels = u64::from(scene.settings.width) * u64::from(scene.settings.height);
     Ok(Explanation {
-        size: [scene.picture.width, scene.picture.height],
-        samples: scene.picture.samples,
-        numerics: scene.picture.numerics.word(),
+        size: [scene.settings.width, scene.settings.height],
+        samples: scene.settings.samples,
+        numerics: scene.settings.numerics.word(),
         effects: plan
             .decisions()
             .into_iter()
@@ -138,7 +138,7 @@ pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Refusal> {
             })
             .collect(),
         accelerator: plan.surfaces.accelerator().word(),
-        cut_off: scene.picture.cut_off,
+        cut_off: scene.settings.cut_off,
         work,
     })
 }
@@ -188,9 +188,9 @@ impl Work {
     }
 
     /// The work of the whole picture.
-    fn counted(scene: &Scene) -> Result<Self, Refusal> {
+    fn counted(scene: &Scene) -> Result<Self, ValueError> {
         let (_, counts) = render(scene, &|_| ())?;
-        let pixels = u64::from(scene.picture.width) * u64::from(scene.picture.height);
+        let pixels = u64::from(scene.settings.width) * u64::from(scene.settings.height);
         Ok(Self {
             pixels,
             of: pixels,
@@ -201,7 +201,7 @@ impl Work {
 
     /// The work of some pixels, which lie as far apart as they have to, scaled up to the picture.
     fn estimated(plan: &Plan<'_>) -> Self {
-        let picture = &plan.scene.picture;
+        let picture = &plan.scene.settings;
         let [width, height] = [picture.width, picture.height].map(|side| side as usize);
         let fits = |step: &usize| width.div_ceil(*step) * height.div_ceil(*step) <= MOST_PIXELS;
         let step = (1..).find(fits).unwrap_or(1);

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::clock::timed;
 use super::{Change, Timing, effects_of, without};
 use crate::film::Film;
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::plan::{Effect, Scope};
 use crate::render::{Counts, STACK, observed};
 use crate::scene::Scene;
@@ -80,7 +80,7 @@ pub fn prices(
     scene: &Scene,
     runs: u32,
     progress: &dyn Fn(usize, usize),
-) -> Result<Prices, Refusal> {
+) -> Result<Prices, ValueError> {
     let on = effects_of(scene)?;
     let scenes = on.iter().map(|effect| without(scene, *effect));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
@@ -97,7 +97,7 @@ pub fn prices(
     // Not measured: the first picture also fetches program and textures into the caches.
     let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
     let hash = picture.hash();
-    let picture = picture.shown(scene.picture.transfer);
+    let picture = picture.shown(scene.settings.transfer);
     let mut drawn = 0;
     for _ in 0..runs {
         for subject in &mut subjects {
@@ -119,7 +119,7 @@ pub fn prices(
             change: subject.change,
         })
     });
-    let without = without.collect::<Result<_, Refusal>>()?;
+    let without = without.collect::<Result<_, ValueError>>()?;
     Ok(Prices {
         runs,
         whole,
@@ -129,11 +129,11 @@ pub fn prices(
 }
 
 /// A pool of one thread, so that what it does is done in the thread whose time is taken.
-fn one_thread() -> Result<ThreadPool, Refusal> {
+fn one_thread() -> Result<ThreadPool, ValueError> {
     let builder = ThreadPoolBuilder::new().num_threads(1).stack_size(STACK);
     builder.build().map_err(|error| {
         let reason = format!("cannot start a thread: {error}");
-        Refusal::new("threads", reason, "try again")
+        ValueError::new("threads", reason, "try again")
     })
 }
 
@@ -158,7 +158,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Draws it once more and compares it with a picture as it is shown, that had this hash before.
-    fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), Refusal> {
+    fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), ValueError> {
         let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
         let (film, counts) = drawn?;
         assert!(
@@ -167,7 +167,7 @@ impl<'a> Subject<'a> {
         );
         self.seconds.push(seconds);
         self.counts = counts;
-        let transfer = self.scene.picture.transfer;
+        let transfer = self.scene.settings.transfer;
         self.change = Change::between(picture, &film.shown(transfer));
         Ok(())
     }

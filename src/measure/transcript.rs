@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Thing;
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
 use crate::render::{Arrival, Errors, Probe, RayKind, Tracer, Unfollowed, pixel_color};
@@ -89,15 +89,15 @@ pub struct UnfollowedStep {
 ///
 /// # Errors
 /// Refuses a camera that cannot exist, and a pixel outside of the picture.
-pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, Refusal> {
-    let (width, height) = (scene.picture.width, scene.picture.height);
+pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, ValueError> {
+    let (width, height) = (scene.settings.width, scene.settings.height);
     if column >= width || row >= height {
         let reason =
             format!("there is no pixel {column},{row} in a picture of {width} by {height}");
         let help = "columns and rows are counted from the top left, from 0";
-        return Err(Refusal::new("image", reason, help));
+        return Err(ValueError::new("image", reason, help));
     }
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
     let mut listener = Listener {
         plan: &plan,

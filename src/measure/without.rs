@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::film::Transfer;
-use crate::language::{Node, Refusal, Schema, Value};
+use crate::language::{Node, Schema, Value, ValueError};
 use crate::light::{Cone, Light, Slide};
 use crate::plan::Effect;
 use crate::read::{Options, read_bytes};
@@ -20,7 +20,7 @@ use crate::texture::{Filter, Texture};
 ///
 /// # Errors
 /// Refuses a scene that cannot be read again, because its textures cannot.
-pub fn without(scene: &Scene, effect: Effect) -> Result<Scene, Refusal> {
+pub fn without(scene: &Scene, effect: Effect) -> Result<Scene, ValueError> {
     read_again(nodes(scene)?.into_iter().map(|node| off(node, effect)))
 }
 
@@ -28,12 +28,12 @@ pub fn without(scene: &Scene, effect: Effect) -> Result<Scene, Refusal> {
 ///
 /// # Errors
 /// As [`without`].
-pub fn round_trip(scene: &Scene) -> Result<Scene, Refusal> {
+pub fn round_trip(scene: &Scene) -> Result<Scene, ValueError> {
     read_again(nodes(scene)?.into_iter())
 }
 
 /// The nodes of a scene, which name textures as the current folder does.
-fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
+fn nodes(scene: &Scene) -> Result<Vec<Node>, ValueError> {
     let mut nodes = scene.describe();
     let textures = nodes
         .iter_mut()
@@ -41,7 +41,7 @@ fn nodes(scene: &Scene) -> Result<Vec<Node>, Refusal> {
     for (node, texture) in textures.zip(&scene.textures) {
         let path = texture.path.to_str().ok_or_else(|| {
             let reason = format!("{} cannot be written in a scene", texture.path.display());
-            Refusal::new("texture", reason, "give it a name in UTF-8")
+            ValueError::new("texture", reason, "give it a name in UTF-8")
         })?;
         node.value = Some(path.into());
     }
@@ -121,7 +121,7 @@ fn with_property(mut node: Node, word: &str, value: Value) -> Node {
 }
 
 /// The scene that these nodes make, as text; textures that nothing wears any more are left out.
-fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, Refusal> {
+fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, ValueError> {
     let nodes: Vec<_> = nodes.collect();
     let worn: Vec<_> = nodes.iter().map(image_of).collect();
     let is_idle = |node: &Node| node.schema == &Texture::SCHEMA && !worn.contains(&node.name);
@@ -133,11 +133,15 @@ fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, Refusal> {
     let reading = read_bytes("scene", text.into(), PathBuf::new(), &Options::default());
     match reading {
         Ok(reading) => Ok(reading.scene),
-        Err(rejection) => {
-            let problem = rejection.problems.into_iter().next();
+        Err(scene_error) => {
+            let problem = scene_error.problems.into_iter().next();
             let reason = problem.map_or_else(String::new, |problem| problem.message);
             let reason = format!("the scene cannot be read again: {reason}");
-            Err(Refusal::new("texture", reason, "leave its files in place"))
+            Err(ValueError::new(
+                "texture",
+                reason,
+                "leave its files in place",
+            ))
         }
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::light::Cone;
-use crate::math::band::{APART, UNIT};
+use crate::math::error_bounds::{APART, UNIT};
 use crate::math::{Ball, Bounds, Point, Rectangle, is_clear};
 
 /// Whether a cone of light certainly lights nothing of what is in a box.

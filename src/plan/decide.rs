@@ -4,7 +4,7 @@ use super::{Cause, Decision, Effect, Plan};
 use crate::camera::Pattern;
 use crate::film::Transfer;
 use crate::light::{Beam, Light};
-use crate::scene::Picture;
+use crate::scene::RenderSettings;
 use crate::surface::Surface;
 use crate::texture::Filter;
 
@@ -110,7 +110,7 @@ fn glints(plan: &Plan<'_>) -> Decision {
 }
 
 fn texture_filter(plan: &Plan<'_>) -> Decision {
-    let filter = plan.scene.picture.texture_filter;
+    let filter = plan.scene.settings.texture_filter;
     if filter == Filter::Nearest {
         let why = "each pixel shows the texel in its middle".to_owned();
         return Decision::new(Effect::TextureFilter, why, Vec::new());
@@ -125,18 +125,18 @@ fn texture_filter(plan: &Plan<'_>) -> Decision {
 }
 
 fn antialiasing(plan: &Plan<'_>) -> Decision {
-    let Picture {
+    let RenderSettings {
         samples,
         pattern,
         max_error,
         ..
-    } = plan.scene.picture;
+    } = plan.scene.settings;
     let on = samples > 1 || max_error > 0.0;
     let why = match (on, pattern == Pattern::default()) {
         _ if max_error > 0.0 => format!(
             "`max-error` asks for as many rays, {} or more through each pixel, as its error takes to \
              be about {max_error:.5} at most",
-            plan.scene.picture.first_rays(),
+            plan.scene.settings.first_rays(),
         ),
         (false, _) => "one ray goes through the centre of each pixel".to_owned(),
         (true, true) => format!("`samples` asks for {samples} rays through each pixel"),
@@ -149,7 +149,7 @@ fn antialiasing(plan: &Plan<'_>) -> Decision {
 }
 
 fn transfer_curve(plan: &Plan<'_>) -> Decision {
-    let (on, why) = match plan.scene.picture.transfer {
+    let (on, why) = match plan.scene.settings.transfer {
         Transfer::None => (false, "code values are shares of intensity 1"),
         Transfer::Srgb => (true, "`transfer` asks for that of sRGB"),
     };
@@ -159,7 +159,7 @@ fn transfer_curve(plan: &Plan<'_>) -> Decision {
 
 /// The picture, if it calls for something.
 fn of_picture(plan: &Plan<'_>, calls: bool) -> Vec<Cause> {
-    let picture = &plan.scene.picture;
+    let picture = &plan.scene.settings;
     calls
         .then(|| Cause::of_picture(picture))
         .into_iter()

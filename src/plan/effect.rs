@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::language::Location;
 use crate::light::Light;
-use crate::scene::Picture;
+use crate::scene::RenderSettings;
 use crate::surface::Surface;
 
 /// Something that costs time and changes pictures, if a scene calls for it.
@@ -114,8 +114,8 @@ impl Cause {
 
     /// The picture.
     #[must_use]
-    pub fn of_picture(picture: &Picture) -> Self {
-        Self::new(Picture::SCHEMA.word, None, picture.place)
+    pub fn of_picture(picture: &RenderSettings) -> Self {
+        Self::new(RenderSettings::SCHEMA.word, None, picture.place)
     }
 
     fn new(word: &str, name: Option<&str>, location: Option<Location>) -> Self {

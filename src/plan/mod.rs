@@ -4,22 +4,22 @@ mod beam;
 mod decide;
 mod effect;
 mod outlines;
+mod reachability;
 mod scope;
-mod seen;
 mod tail;
 mod unlit;
 
 pub use effect::{Cause, Decision, Effect};
 pub use outlines::{OutlineDepths, Outlines};
+pub use reachability::Reachability;
 pub use scope::Scope;
-pub use seen::Seen;
 pub use tail::Tail;
 pub use unlit::Unlit;
 
-use crate::accel::{Accelerator, LampView, LightView, Sight, SurfaceList};
+use crate::accel::{Accelerator, LampView, LightView, ScreenBounds, SurfaceList};
 use crate::camera::Camera;
-use crate::language::Refusal;
-use crate::scene::{Picture, Scene};
+use crate::language::ValueError;
+use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
 use crate::texture::Filter;
 
@@ -34,13 +34,13 @@ pub struct Plan<'a> {
     pub surfaces: SurfaceList<'a>,
     /// What the camera sees where; `None` if everything is looked for everywhere, or a
     /// tree knows better.
-    pub sight: Option<Sight<'a>>,
+    pub sight: Option<ScreenBounds<'a>>,
     /// What each light has before it, in the order of the scene's lights.
     pub light_views: Vec<LightView<'a>>,
     /// What each lamp has before it, in the order of the scene's surfaces.
     pub lamp_views: Vec<LampView<'a>>,
     /// How rays can meet a surface, for each of them.
-    pub seen: Vec<Seen>,
+    pub seen: Vec<Reachability>,
     /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
     pub unlit: Vec<Vec<Option<Unlit>>>,
     /// The same for each lamp.
@@ -66,7 +66,7 @@ impl<'a> Plan<'a> {
         scene: &'a Scene,
         classic: Option<&'a [Box<dyn Surface + 'a>]>,
         scope: Scope,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         let accelerator = match scope {
             Scope::CalledFor => Accelerator::for_count(scene.surfaces.len()),
             Scope::Everything => Accelerator::List,
@@ -83,18 +83,18 @@ impl<'a> Plan<'a> {
         classic: Option<&'a [Box<dyn Surface + 'a>]>,
         scope: Scope,
         accelerator: Accelerator,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         let camera = scene
             .view
-            .camera(scene.picture.width, scene.picture.height)?;
+            .camera(scene.settings.width, scene.settings.height)?;
         let surfaces = match classic {
             None => SurfaceList::with(&scene.surfaces, accelerator),
             Some(classic) => SurfaceList::without_sheets(classic),
         };
         // Rounded numerics prove nothing, so they leave nothing out.
         let elides = scope == Scope::CalledFor && classic.is_none();
-        let sight = elides.then(|| Sight::new(&surfaces, &camera));
-        let seen = Seen::all(scene, sight.as_ref(), &camera);
+        let sight = elides.then(|| ScreenBounds::new(&surfaces, &camera));
+        let seen = Reachability::all(scene, sight.as_ref(), &camera);
         let unlit = Unlit::by_lights(scene, &seen, elides);
         let places = scene.lights.iter().map(|light| light.location);
         let lights = |light: usize, surface: usize| unlit[light][surface].is_none();
@@ -139,12 +139,12 @@ impl<'a> Plan<'a> {
 
 /// The outlines in a picture that sends more rays through some pixels than through others.
 fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
-    let Picture {
+    let RenderSettings {
         width,
         height,
         max_error,
         ..
-    } = scene.picture;
+    } = scene.settings;
     (max_error > 0.0).then(|| {
         let surfaces = scene.surfaces.iter().map(AsRef::as_ref);
         Outlines::new(surfaces, camera, [width, height])
@@ -153,5 +153,5 @@ fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
 
 /// The filter of a scene whose textures it makes a difference to.
 fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
-    (scene.is_filtered() || scope == Scope::Everything).then_some(scene.picture.texture_filter)
+    (scene.is_filtered() || scope == Scope::Everything).then_some(scene.settings.texture_filter)
 }

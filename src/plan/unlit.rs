@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Seen, beam};
+use super::{Reachability, beam};
 use crate::accel::{Entry, LampView};
 use crate::light::{Beam, Light};
 use crate::math::{Point, Side};
@@ -30,7 +30,11 @@ pub enum Unlit {
 impl Unlit {
     /// What keeps each light from each surface. Unless savings are wanted, only the rules of the
     /// picture are named.
-    pub(super) fn by_lights(scene: &Scene, seen: &[Seen], saves: bool) -> Vec<Vec<Option<Self>>> {
+    pub(super) fn by_lights(
+        scene: &Scene,
+        seen: &[Reachability],
+        saves: bool,
+    ) -> Vec<Vec<Option<Self>>> {
         let of_light = |light| {
             let surfaces = scene.surfaces.iter().zip(seen);
             surfaces
@@ -45,7 +49,7 @@ impl Unlit {
     pub(super) fn by_lamps(
         views: &[LampView<'_>],
         entries: &[Entry<'_>],
-        seen: &[Seen],
+        seen: &[Reachability],
         saves: bool,
     ) -> Vec<Vec<Option<Self>>> {
         let of_lamp = |view| {

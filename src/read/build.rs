@@ -9,12 +9,12 @@ use super::{
     textures,
 };
 use crate::camera::View;
-use crate::language::{Location, Node, Problem, Reference, Refusal, Schema, Sources, Takes};
+use crate::language::{Location, Node, Problem, Reference, Schema, Sources, Takes, ValueError};
 use crate::light::{Beam, Cone, Light, Slide};
 use crate::material::Material;
 use crate::math::{Rectangle, Rgb};
-use crate::scene::{Lighting, Picture, Scene};
-use crate::surface::{SCHEMAS, Surface, weld};
+use crate::scene::{Lighting, RenderSettings, Scene};
+use crate::surface::{SCHEMAS, Surface, share};
 use crate::texture::Texture;
 
 /// What surfaces and projectors refer to while a scene is built.
@@ -53,8 +53,8 @@ pub(super) fn scene(
     if complete {
         refuse_missing(nodes, problems);
     }
-    let picture = sound(nodes, &Picture::SCHEMA, &files, problems)
-        .and_then(|node| accepted(node, Picture::from_node(node), problems));
+    let picture = sound(nodes, &RenderSettings::SCHEMA, &files, problems)
+        .and_then(|node| accepted(node, RenderSettings::from_node(node), problems));
     let view = sound(nodes, &View::SCHEMA, &files, problems)
         .and_then(|node| accepted(node, View::from_node(node), problems));
     let lighting = sound(nodes, &Lighting::SCHEMA, &files, problems);
@@ -64,7 +64,7 @@ pub(super) fn scene(
         if let (Err(no), Err(_), Some(node)) = (
             picture.check(),
             set.check(),
-            of(nodes, &Picture::SCHEMA).next(),
+            of(nodes, &RenderSettings::SCHEMA).next(),
         ) {
             refused(node, no, problems);
         }
@@ -105,12 +105,12 @@ pub(super) fn scene(
     let mut surfaces: Vec<Box<dyn Surface>> = surfaces
         .filter_map(|node| surfaces::surface(node, &parts, problems))
         .collect();
-    let welds = weld(&mut surfaces);
+    let shared = share(&mut surfaces);
 
     let sources = files.into_sources();
     match (picture, view) {
         (Some(picture), Some(view)) => Ok(Scene {
-            picture,
+            settings: picture,
             view,
             lighting: lighting.map_or_else(Lighting::default, Lighting::from_node),
             textures: textures
@@ -120,7 +120,7 @@ pub(super) fn scene(
             materials,
             lights,
             surfaces,
-            welds,
+            shared,
             sources,
         }),
         _ => Err(sources),
@@ -155,7 +155,7 @@ fn refuse_missing(nodes: &[Node], problems: &mut Vec<Problem>) {
         return;
     }
     for (schema, example) in [
-        (&Picture::SCHEMA, "image 800 600"),
+        (&RenderSettings::SCHEMA, "image 800 600"),
         (&View::SCHEMA, "camera { viewpoint 4 3 8; screen 8 6 }"),
     ] {
         let word = schema.word;
@@ -169,14 +169,14 @@ fn refuse_missing(nodes: &[Node], problems: &mut Vec<Problem>) {
 }
 
 /// The picture with what is asked for instead of what the scene says.
-fn with_options(picture: Picture, options: &Options) -> Picture {
+fn with_options(picture: RenderSettings, options: &Options) -> RenderSettings {
     let [width, height] = options.size.unwrap_or([picture.width, picture.height]);
-    let sized = Picture {
+    let sized = RenderSettings {
         width,
         height,
         ..picture
     };
-    options.settings.iter().fold(sized, Picture::with)
+    options.settings.iter().fold(sized, RenderSettings::with)
 }
 
 /// The node of a kind that a scene may have once, if it is there and makes sense.
@@ -257,20 +257,19 @@ fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slid
 /// What was made of a node; `None` if it was refused, which is a problem then.
 pub(super) fn accepted<T>(
     node: &Node,
-    made: Result<T, Refusal>,
+    made: Result<T, ValueError>,
     problems: &mut Vec<Problem>,
 ) -> Option<T> {
-    made.map_err(|refusal| refused(node, refusal, problems))
-        .ok()
+    made.map_err(|error| refused(node, error, problems)).ok()
 }
 
 /// Turns a refusal into an error at the attribute that it blames.
-fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
+fn refused(node: &Node, error: ValueError, problems: &mut Vec<Problem>) {
     let mut attributes = node.schema.all_attributes();
-    let blamed = attributes.find(|attribute| attribute.word == refusal.word);
-    let label = match (blamed, refusal.expected) {
+    let blamed = attributes.find(|attribute| attribute.word == error.word);
+    let label = match (blamed, error.expected) {
         (Some(attribute), _)
-            if node.entry(refusal.word).is_none() && attribute.default.value().is_some() =>
+            if node.entry(error.word).is_none() && attribute.default.value().is_some() =>
         {
             format!("expected another `{}` than the default", attribute.word)
         }
@@ -278,7 +277,7 @@ fn refused(node: &Node, refusal: Refusal, problems: &mut Vec<Problem>) {
         (Some(attribute), None) => format!("expected {}", attribute.takes.words()),
         (None, None) => format!("expected another `{}`", node.word),
     };
-    if let Some(at) = node.place(refusal.word) {
-        problems.push(Problem::error(at, refusal.reason, label).help(refusal.advice));
+    if let Some(at) = node.place(error.word) {
+        problems.push(Problem::error(at, error.reason, label).help(error.advice));
     }
 }

@@ -60,7 +60,7 @@ pub struct Reading {
 
 /// Why a text is not a scene.
 #[derive(Debug)]
-pub struct Rejection {
+pub struct SceneError {
     /// The errors, at most [`MOST_ERRORS`], and the warnings.
     pub problems: Vec<Problem>,
     /// The texts that they point into.
@@ -75,8 +75,8 @@ pub fn schemas() -> impl Iterator<Item = &'static Schema> {
 /// Reads a scene file.
 ///
 /// # Errors
-/// The file system's error if the file cannot be read; a [`Rejection`] if it is not a scene.
-pub fn read_file(path: &Path, options: &Options) -> std::io::Result<Result<Reading, Rejection>> {
+/// The file system's error if the file cannot be read; a [`SceneError`] if it is not a scene.
+pub fn read_file(path: &Path, options: &Options) -> std::io::Result<Result<Reading, SceneError>> {
     let bytes = files::bytes_of(path)?;
     let directory = path.parent().map(Path::to_owned).unwrap_or_default();
     Ok(read_bytes(
@@ -97,7 +97,7 @@ pub fn read_bytes(
     bytes: Vec<u8>,
     directory: PathBuf,
     options: &Options,
-) -> Result<Reading, Rejection> {
+) -> Result<Reading, SceneError> {
     let mut problems = Vec::new();
     let mut files = Files::default();
     let is_picture = image::guess_format(&bytes).is_ok();
@@ -117,7 +117,7 @@ pub fn read_bytes(
     };
     let source = files.add(source, directories);
     if let Err(line) = text {
-        return Err(Rejection {
+        return Err(SceneError {
             problems: vec![no_text(name, line, is_picture)],
             sources: files.into_sources(),
         });
@@ -144,7 +144,7 @@ pub fn read_bytes(
             language,
             warnings,
         }),
-        Ok(Scene { sources, .. }) | Err(sources) => Err(Rejection {
+        Ok(Scene { sources, .. }) | Err(sources) => Err(SceneError {
             problems: limited(errors, warnings),
             sources,
         }),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::build::{Parts, accepted};
 use super::textures;
-use crate::language::{Node, Problem, Refusal, Value};
+use crate::language::{Node, Problem, Value, ValueError};
 use crate::surface::{
     Common, Ellipsoid, FinitePlane, Lamp, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
     TexturePlane, TileStart, TiledPlane, Triangle,
@@ -34,7 +34,7 @@ fn with_material(
     node: &Node,
     parts: &Parts,
     problems: &mut Vec<Problem>,
-) -> Option<Result<Box<dyn Surface>, Refusal>> {
+) -> Option<Result<Box<dyn Surface>, ValueError>> {
     let material = parts.materials.find(node, "material");
     let shadow = |word| {
         let entry = node.entry("shadows");
@@ -104,11 +104,13 @@ fn with_material(
     })
 }
 
-fn boxed<S: Surface + 'static>(made: Result<S, Refusal>) -> Result<Box<dyn Surface>, Refusal> {
+fn boxed<S: Surface + 'static>(
+    made: Result<S, ValueError>,
+) -> Result<Box<dyn Surface>, ValueError> {
     made.map(|surface| Box::new(surface) as Box<dyn Surface>)
 }
 
-fn finite_plane(node: &Node, common: Common) -> Result<FinitePlane, Refusal> {
+fn finite_plane(node: &Node, common: Common) -> Result<FinitePlane, ValueError> {
     let (point, normal) = (node.triple("point"), node.triple("normal"));
     FinitePlane::new(
         common,

@@ -9,7 +9,8 @@ use glam::DVec2;
 use super::{Files, build::Parts, files};
 use crate::language::{Node, Problem, Value};
 use crate::texture::{
-    DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, Wrap, check, decode,
+    DecodeError, ImageFileError, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, Wrap, check,
+    decode,
 };
 
 /// The textures of a scene by name; `None` for one that is not used or cannot be read.
@@ -67,27 +68,27 @@ fn report(node: &Node, DecodeError { path, fault }: &DecodeError, problems: &mut
     let Some(at) = node.location else { return };
     let name = path.display();
     let (message, help) = match fault {
-        Fault::Io(error) if error.kind() == ErrorKind::NotFound => (
+        ImageFileError::Io(error) if error.kind() == ErrorKind::NotFound => (
             format!("there is no file {name}"),
             files::nearby(path, "file names are relative to the scene file"),
         ),
-        Fault::Io(error) => (
+        ImageFileError::Io(error) => (
             format!("cannot read {name}: {}", files::reason(path, error)),
             "name a file that you may read".to_owned(),
         ),
-        Fault::Format(reason) => (
+        ImageFileError::Format(reason) => (
             format!("{name} is not a texture: {reason}"),
             "textures are PNG, JPEG, PPM and PGM files".to_owned(),
         ),
-        Fault::Damaged(reason) => (
+        ImageFileError::Damaged(reason) => (
             format!("{name} is damaged: {reason}"),
             "write or copy the file again".to_owned(),
         ),
-        Fault::Empty(width, height) => (
+        ImageFileError::Empty(width, height) => (
             format!("{name} is empty: {width} by {height} texels"),
             "a texture has at least one texel".to_owned(),
         ),
-        Fault::TooLarge(width, height) => (
+        ImageFileError::TooLarge(width, height) => (
             format!("{name} is too large: {width} by {height} texels"),
             format!("a texture has at most {LONGEST_SIDE} texels a side and {MOST_TEXELS} in all"),
         ),

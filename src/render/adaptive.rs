@@ -1,12 +1,12 @@
 //! As many rays through each pixel as its error asks for.
 
-use super::tally::{Around, BORDER, Found, Tally};
-use super::{Both, Probe, Seed, Tracer, watch::Watch};
+use super::sample_accumulator::{Around, BORDER, Found, SampleAccumulator};
+use super::{Both, Probe, Seed, Tracer, edge_detector::EdgeDetector};
 use crate::camera::{Pattern, Places};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
-use crate::scene::Picture;
+use crate::scene::RenderSettings;
 use crate::texture::Filter;
 
 /// Sends rays through pixels until their errors are probably within the picture's `max-error`.
@@ -21,10 +21,10 @@ use crate::texture::Filter;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
-    picture: &'a Picture,
+    picture: &'a RenderSettings,
     outlines: &'a Outlines,
     /// What it looks for in a pixel.
-    watch: Watch<'a>,
+    watch: EdgeDetector<'a>,
     /// `None` if each ray shows one place.
     filter: Option<Filter>,
 }
@@ -32,7 +32,7 @@ pub(super) struct Adaptive<'a> {
 /// About how many rays go through a pixel in which black borders on white, if a picture has these
 /// settings; the most that any edge of a surface takes, as long as its shades are even.
 #[must_use]
-pub fn rays_at_a_border(picture: &Picture) -> u32 {
+pub fn rays_at_a_border(picture: &RenderSettings) -> u32 {
     let first = picture.first_rays();
     if picture.max_error == 0.0 {
         return picture.samples;
@@ -41,7 +41,7 @@ pub fn rays_at_a_border(picture: &Picture) -> u32 {
     #[expect(clippy::cast_possible_truncation, reason = "limited below")]
     #[expect(clippy::cast_sign_loss, reason = "positive")]
     let rays = rays.round() as u32;
-    rays.clamp(first, first.max(Picture::MOST_ADAPTIVE))
+    rays.clamp(first, first.max(RenderSettings::MOST_ADAPTIVE))
 }
 
 impl<'a> Adaptive<'a> {
@@ -50,10 +50,10 @@ impl<'a> Adaptive<'a> {
         let is_filtered = plan.scene.is_filtered();
         Some(Self {
             tracer,
-            picture: &plan.scene.picture,
+            picture: &plan.scene.settings,
             outlines: plan.outlines.as_ref()?,
-            watch: Watch::new(plan),
-            filter: is_filtered.then_some(plan.scene.picture.texture_filter),
+            watch: EdgeDetector::new(plan),
+            filter: is_filtered.then_some(plan.scene.settings.texture_filter),
         })
     }
 
@@ -110,11 +110,11 @@ impl<'a> Adaptive<'a> {
     }
 
     /// The first rays of a pixel, through which an outline of this depth runs.
-    fn pilot(&self, place: [usize; 2], outline: f64, probe: &mut impl Probe) -> Tally {
+    fn pilot(&self, place: [usize; 2], outline: f64, probe: &mut impl Probe) -> SampleAccumulator {
         // What is well behind all that was met is not seen.
         const NEAR: f64 = 1.0 + 1.0 / 64.0;
         let count = self.picture.first_rays();
-        let mut tally = Tally::NOTHING;
+        let mut tally = SampleAccumulator::NOTHING;
         if outline.is_finite() || self.filter.is_some() {
             let watch = self.send_watched(&mut tally, 4, count / 4, place, probe);
             tally.outlined = outline <= watch.farthest() * NEAR;
@@ -127,12 +127,12 @@ impl<'a> Adaptive<'a> {
     /// The colour of a pixel, after as many more rays as it takes.
     fn refined(
         &self,
-        mut tally: Tally,
+        mut tally: SampleAccumulator,
         around: Around,
         place: [usize; 2],
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Picture {
+        let RenderSettings {
             transfer,
             max_error,
             ..
@@ -141,7 +141,7 @@ impl<'a> Adaptive<'a> {
         let mut moved = if tally.is_exact { 0.0 } else { f64::MAX };
         loop {
             let error = tally.error(around, transfer).max(moved);
-            if error <= max_error || tally.count >= Picture::MOST_ADAPTIVE {
+            if error <= max_error || tally.count >= RenderSettings::MOST_ADAPTIVE {
                 return tally.mean();
             }
             if self.filter.is_some() {
@@ -163,17 +163,17 @@ impl<'a> Adaptive<'a> {
     /// Large shares take long, so few steps are better than small ones.
     fn with_smaller_shares(
         &self,
-        tally: &Tally,
+        tally: &SampleAccumulator,
         error: f64,
         place: [usize; 2],
         probe: &mut impl Probe,
-    ) -> Tally {
+    ) -> SampleAccumulator {
         // What twice as many rays make of an error at a border.
         const LESS: f64 = 0.594_603_557_501_360_5; // 2^(-3/4)
         let is_near = error * LESS <= self.picture.max_error;
         let times = if is_near { 2 } else { 4 };
-        let count = (tally.count * times).min(Picture::MOST_ADAPTIVE);
-        let mut more = Tally::NOTHING;
+        let count = (tally.count * times).min(RenderSettings::MOST_ADAPTIVE);
+        let mut more = SampleAccumulator::NOTHING;
         more.outlined = tally.outlined;
         self.send_watched(&mut more, 4, count / 4, place, probe);
         more
@@ -182,12 +182,12 @@ impl<'a> Adaptive<'a> {
     /// Sends rays as [`send`](Self::send), and tells what they met.
     fn send_watched(
         &self,
-        tally: &mut Tally,
+        tally: &mut SampleAccumulator,
         parts: u32,
         size: u32,
         place: [usize; 2],
         probe: &mut impl Probe,
-    ) -> Watch<'a> {
+    ) -> EdgeDetector<'a> {
         let onlooker: &mut dyn Probe = probe;
         let mut both = Both(onlooker, self.watch);
         self.send(tally, parts, size, place, &mut both);
@@ -206,7 +206,7 @@ impl<'a> Adaptive<'a> {
     /// Sends so many parts of so many rays each through a pixel.
     fn send(
         &self,
-        tally: &mut Tally,
+        tally: &mut SampleAccumulator,
         parts: u32,
         size: u32,
         [column, row]: [usize; 2],

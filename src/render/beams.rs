@@ -16,7 +16,7 @@ impl Tracer<'_> {
     /// they are its parts. Filters that look at one place look where the ray goes.
     #[cold]
     pub(super) fn beam(&self, x: f64, y: f64) -> Beam {
-        let picture = &self.plan.scene.picture;
+        let picture = &self.plan.scene.settings;
         let pattern = match self.plan.outlines {
             Some(_) => Pattern::Sobol,
             None => picture.pattern,

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::turn::{Turn, times};
+use super::scattering::{Scattering, times};
 use crate::math::Ray;
-use crate::math::band::FOOT;
+use crate::math::error_bounds::FOOT;
 use crate::surface::{Hit, Surface};
 
 /// What rounding may have done to a path by the time it meets a surface.
@@ -47,7 +47,13 @@ impl Errors {
     /// The errors behind a surface that sends the path on, which came along this unit direction.
     #[must_use]
     #[inline(never)]
-    pub fn behind(self, surface: &dyn Surface, turn: Turn, dir: DVec3, normal: DVec3) -> Self {
+    pub fn behind(
+        self,
+        surface: &dyn Surface,
+        turn: Scattering,
+        dir: DVec3,
+        normal: DVec3,
+    ) -> Self {
         let curvature = surface.round().map_or(0.0, |[_, axes]| {
             // An ellipse is most curved at the ends of its long axis.
             axes.max_element() / axes.min_element().powi(2)
@@ -84,7 +90,7 @@ mod tests {
         };
         let common = Common::black(None, None);
         let ball = Sphere::new(common, DVec3::ZERO, 1.0, None).expect("a ball");
-        let behind = before.behind(&ball, Turn::Straight, falling(0.3), DVec3::Y);
+        let behind = before.behind(&ball, Scattering::Straight, falling(0.3), DVec3::Y);
         assert_eq!(
             behind,
             Errors {

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use sobol_burley::sample;
 
 use crate::accel::{Between, Casters, Entry, LampView};
-use crate::math::{Departure, Point, Ray, Rgb, Segment};
+use crate::math::{Point, Ray, RayOrigin, Rgb, Segment};
 use crate::surface::Hit;
 
 use super::{Arrival, Probe, RayKind, Seed, Tracer};
@@ -14,7 +14,7 @@ use super::{Arrival, Probe, RayKind, Seed, Tracer};
 struct Lit<'a> {
     /// By which one, as onlookers are told.
     lamp: usize,
-    departure: &'a Departure<'a>,
+    ray_origin: &'a RayOrigin<'a>,
     point: Point,
     normal: DVec3,
     /// What the points of the lamp are chosen by that rays are sent to.
@@ -32,7 +32,7 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         entry: &Entry<'_>,
-        departure: &Departure<'_>,
+        ray_origin: &RayOrigin<'_>,
         hit: &Hit,
         seed: Seed,
         probe: &mut impl Probe,
@@ -61,7 +61,7 @@ impl Tracer<'_> {
             let passed = if entry.common.shadows.receive {
                 let lit = Lit {
                     lamp,
-                    departure,
+                    ray_origin,
                     point: hit.point,
                     normal: hit.normal,
                     seed: seed.of_lamp(number),
@@ -89,7 +89,7 @@ impl Tracer<'_> {
         lit: &Lit<'_>,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let ray = Ray::leaving(lit.departure, lit.normal);
+        let ray = Ray::spawn(lit.ray_origin, lit.normal);
         let casters = match view.between(entry, &ray, self.plan.camera.screen().is_none()) {
             Between::Nothing => return Rgb::WHITE,
             Between::Wall => return Rgb::BLACK,
@@ -120,7 +120,7 @@ impl Tracer<'_> {
         end: Point,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Some(mut segment) = Segment::new(lit.departure, end) else {
+        let Some(mut segment) = Segment::new(lit.ray_origin, end) else {
             return Rgb::WHITE;
         };
         segment.screen = self.plan.camera.screen();

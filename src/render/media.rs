@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::material::Material;
 use crate::math::{Refraction, Rgb};
 
-use super::Turn;
+use super::Scattering;
 
 /// The media that a path is inside of: a list that lies along the path's own recursion.
 ///
@@ -32,7 +32,7 @@ pub(super) struct Boundary<'a> {
     /// Where light that passes goes on; `None` if none does.
     pub(super) onward: Option<DVec3>,
     /// How it goes on there.
-    pub(super) turn: Turn,
+    pub(super) turn: Scattering,
     /// What it is inside of then.
     pub(super) beyond: Media<'a>,
 }
@@ -51,7 +51,7 @@ impl<'a> Media<'a> {
                 mirrored: material.specular,
                 passing: 1.0,
                 onward: Some(dir),
-                turn: Turn::Straight,
+                turn: Scattering::Straight,
                 beyond: *self,
             },
             Some(index) => self.refracting(index, material.is_entered(), dir, normal),
@@ -82,9 +82,9 @@ impl<'a> Media<'a> {
             passing: 1.0 - reflectance,
             onward: bent,
             turn: if from.to_bits() == into.to_bits() {
-                Turn::Straight
+                Scattering::Straight
             } else {
-                Turn::Bent(from / into)
+                Scattering::Bent(from / into)
             },
             beyond,
         }

@@ -6,18 +6,18 @@ mod both;
 mod budget;
 mod certificate;
 mod counts;
+mod edge_detector;
 mod errors;
 mod lamps;
 mod media;
 mod probe;
 mod rows;
+mod sample_accumulator;
+mod scattering;
 mod seed;
 mod shading;
-mod tally;
 mod thread_work;
 mod tracer;
-mod turn;
-mod watch;
 
 pub use adaptive::rays_at_a_border;
 pub use both::Both;
@@ -25,9 +25,9 @@ pub use certificate::Certificate;
 pub use counts::Counts;
 pub use errors::Errors;
 pub use probe::{Arrival, Probe, RayKind, Unfollowed};
+pub use scattering::Scattering;
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
-pub use turn::Turn;
 
 use adaptive::Adaptive;
 use seed::Seed;
@@ -37,11 +37,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::camera::{Pattern, Places};
-use crate::film::{Film, Format, Print, Region};
-use crate::language::Refusal;
+use crate::film::{EncodedImage, Film, Format, Region};
+use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
-use crate::scene::{Picture, Scene};
+use crate::scene::{RenderSettings, Scene};
 use crate::surface::classic;
 
 /// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
@@ -54,7 +54,10 @@ pub const STACK: usize = 16 << 20;
 ///
 /// # Errors
 /// Refuses a camera that cannot exist and a picture that memory cannot hold.
-pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film, Counts), Refusal> {
+pub fn render(
+    scene: &Scene,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(Film, Counts), ValueError> {
     observed(scene, Scope::CalledFor, progress)
 }
 
@@ -65,7 +68,7 @@ pub fn render(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<(Film,
 pub fn certify(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, Both<Counts, Certificate>), Refusal> {
+) -> Result<(Film, Both<Counts, Certificate>), ValueError> {
     observed(scene, Scope::CalledFor, progress)
 }
 
@@ -78,8 +81,8 @@ pub fn observed<P: Probe + Default + Send + Sum>(
     scene: &Scene,
     scope: Scope,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), Refusal> {
-    observed_part(scene, scope, whole(&scene.picture), progress)
+) -> Result<(Film, P), ValueError> {
+    observed_part(scene, scope, whole(&scene.settings), progress)
 }
 
 /// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
@@ -92,9 +95,9 @@ pub fn observed_part<P: Probe + Default + Send + Sum>(
     scope: Scope,
     part: Region,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), Refusal> {
-    part.check_within([scene.picture.width, scene.picture.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+) -> Result<(Film, P), ValueError> {
+    part.check_within([scene.settings.width, scene.settings.height])?;
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     drawn_part(
         &Plan::new(scene, classic.as_deref(), scope)?,
         part,
@@ -109,15 +112,15 @@ pub fn observed_part<P: Probe + Default + Send + Sum>(
 pub fn drawn<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), Refusal> {
-    drawn_part(plan, whole(&plan.scene.picture), progress)
+) -> Result<(Film, P), ValueError> {
+    drawn_part(plan, whole(&plan.scene.settings), progress)
 }
 
 fn drawn_part<P: Probe + Default + Send + Sum>(
     plan: &Plan<'_>,
     part: Region,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), Refusal> {
+) -> Result<(Film, P), ValueError> {
     let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
     let painter = Painter::new(plan, part, progress);
     let together = part.width * painter.together;
@@ -139,12 +142,12 @@ pub fn printed_part<P: Probe + Default + Send + Sum>(
     part: Region,
     format: Format,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Print, P), Refusal> {
-    part.check_within([scene.picture.width, scene.picture.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+) -> Result<(EncodedImage, P), ValueError> {
+    part.check_within([scene.settings.width, scene.settings.height])?;
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     let plan = Plan::new(scene, classic.as_deref(), scope)?;
-    let encoding = scene.picture.encoding();
-    let print = Print::new([part.width, part.height], format, encoding);
+    let encoding = scene.settings.encoding();
+    let print = EncodedImage::new([part.width, part.height], format, encoding);
     let mut print = print.ok_or_else(|| no_memory(part))?;
     let painter = Painter::new(&plan, part, progress);
     let rows = print.rows().chunks(painter.together).enumerate();
@@ -153,7 +156,7 @@ pub fn printed_part<P: Probe + Default + Send + Sum>(
         let pixels = &mut pixels[..part.width * kept.len()];
         let seen = painter.paint(number * painter.together, pixels);
         for (mut kept, pixels) in kept.into_iter().zip(pixels.chunks(part.width)) {
-            kept.expose(pixels);
+            kept.encode_row(pixels);
         }
         seen
     });
@@ -161,16 +164,16 @@ pub fn printed_part<P: Probe + Default + Send + Sum>(
     Ok((print, seen))
 }
 
-fn whole(picture: &Picture) -> Region {
+fn whole(picture: &RenderSettings) -> Region {
     Region::whole([picture.width, picture.height])
 }
 
 /// The refusal of a picture that memory cannot hold.
 #[must_use]
-pub fn no_memory(part: Region) -> Refusal {
+pub fn no_memory(part: Region) -> ValueError {
     let Region { width, height, .. } = part;
     let reason = format!("there is no memory for {width} by {height} pixels");
-    Refusal::new("image", reason, "choose a smaller picture")
+    ValueError::new("image", reason, "choose a smaller picture")
 }
 
 /// What draws the rows of a part of a picture.
@@ -213,7 +216,7 @@ impl<'a> Painter<'a> {
         let before = ThreadWork::until_now();
         match &self.adaptive {
             Some(adaptive) => adaptive.draw(rows, pixels, &mut probe),
-            None if scene.picture.samples == 1 => tracer.draw(rows, pixels, &mut probe),
+            None if scene.settings.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
                 for ([column, row], pixel) in rows.places().zip(pixels) {
                     *pixel = uniform(tracer, scene, column, row, &mut probe);
@@ -251,13 +254,13 @@ fn uniform(
     probe: &mut impl Probe,
 ) -> Rgb {
     // The picture's rows are counted from the top, the camera's from the bottom.
-    let from_bottom = scene.picture.height as usize - 1 - row;
+    let from_bottom = scene.settings.height as usize - 1 - row;
     #[expect(
         clippy::cast_precision_loss,
         reason = "picture sides are far below 2^53"
     )]
     let (x, y) = (column as f64, from_bottom as f64);
-    let (pattern, count) = (scene.picture.pattern, scene.picture.samples);
+    let (pattern, count) = (scene.settings.pattern, scene.settings.samples);
     if count == 1 {
         return tracer.sees(x, y, probe);
     }

@@ -3,7 +3,7 @@
 use super::tracer::nothing;
 use super::{Probe, RayKind, Seed, Tracer};
 use crate::accel::{Ahead, Entry};
-use crate::camera::Stretch;
+use crate::camera::PixelSpan;
 use crate::film::Region;
 use crate::math::{Crossings, Distances, Rgb};
 
@@ -14,14 +14,14 @@ const LONGEST: usize = 32;
 impl<'a> Tracer<'a> {
     /// Gives the pixels of a part of the picture their colours, each by one ray through its centre.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        let height = self.plan.scene.picture.height as usize;
+        let height = self.plan.scene.settings.height as usize;
         for (number, pixels) in pixels.chunks_mut(part.width).enumerate() {
             // The picture's rows are counted from the top, the camera's from the bottom.
             let from_bottom = height - 1 - (part.top + number);
             let row = self.plan.camera.row(f64::from(small(from_bottom)));
             let mut first = small(part.left);
             for pixels in pixels.chunks_mut(LONGEST) {
-                let stretch = Stretch {
+                let stretch = PixelSpan {
                     row: &row,
                     first,
                     count: small(pixels.len()),
@@ -32,7 +32,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn draw_stretch(&self, stretch: &Stretch<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
+    fn draw_stretch(&self, stretch: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
         let sight = self.plan.sight.as_ref();
         match sight.map_or(Ahead::Several, |sight| sight.along(stretch)) {
             Ahead::Nothing => {
@@ -46,7 +46,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn draw_each(&self, stretch: &Stretch<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
+    fn draw_each(&self, stretch: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
         for (x, pixel) in stretch.places().zip(pixels) {
             *pixel = self.sees(x, stretch.row.y, probe);
         }
@@ -56,7 +56,7 @@ impl<'a> Tracer<'a> {
     fn draw_one(
         &self,
         entry: &Entry<'a>,
-        stretch: &Stretch<'_>,
+        stretch: &PixelSpan<'_>,
         pixels: &mut [Rgb],
         probe: &mut impl Probe,
     ) {
@@ -85,7 +85,7 @@ impl<'a> Tracer<'a> {
     fn draw_together(
         &self,
         entry: &Entry<'a>,
-        stretch: &Stretch<'_>,
+        stretch: &PixelSpan<'_>,
         pixels: &mut [Rgb],
         probe: &mut impl Probe,
     ) {
@@ -111,7 +111,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Gives pixels a colour, faded by the distances from the eye.
-    fn fade(&self, color: Rgb, distances: &Distances, stretch: &Stretch<'_>, pixels: &mut [Rgb]) {
+    fn fade(&self, color: Rgb, distances: &Distances, stretch: &PixelSpan<'_>, pixels: &mut [Rgb]) {
         // Distances first, so that the processor can find several at once.
         let mut found = [0.0; LONGEST];
         for (x, found) in stretch.places().zip(&mut found) {

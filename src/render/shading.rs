@@ -2,7 +2,7 @@
 
 use crate::accel::{Before, Entry};
 use crate::light::Light;
-use crate::math::{Departure, Ray, Rgb, Segment};
+use crate::math::{Ray, RayOrigin, Rgb, Segment};
 use crate::plan::Scope;
 use crate::surface::Hit;
 
@@ -17,13 +17,13 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         (entry, hit): (&Entry<'_>, &Hit),
-        (departure, divisor, seed): (&Departure<'_>, f64, Seed),
+        (ray_origin, divisor, seed): (&RayOrigin<'_>, f64, Seed),
         probe: &mut impl Probe,
     ) -> Rgb {
-        let mut color = self.color_of_lights(ray, (entry, hit), departure, probe);
+        let mut color = self.color_of_lights(ray, (entry, hit), ray_origin, probe);
         let mut of_lamps = Rgb::BLACK;
         if !self.plan.lamp_views.is_empty() {
-            of_lamps = self.lamplight(ray, entry, departure, hit, seed, probe);
+            of_lamps = self.lamplight(ray, entry, ray_origin, hit, seed, probe);
             color = (color + of_lamps).saturated();
         }
         color = (color / divisor).saturated();
@@ -37,7 +37,7 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         (entry, hit): (&Entry<'_>, &Hit),
-        departure: &Departure<'_>,
+        ray_origin: &RayOrigin<'_>,
         probe: &mut impl Probe,
     ) -> Rgb {
         let surface = entry.surface;
@@ -53,7 +53,7 @@ impl Tracer<'_> {
                 probe.light(index, Arrival::Unplanned);
                 continue;
             };
-            let Some(segment) = Segment::new(departure, light.location) else {
+            let Some(segment) = Segment::new(ray_origin, light.location) else {
                 probe.light(index, Arrival::Here);
                 continue;
             };
@@ -97,14 +97,14 @@ impl Tracer<'_> {
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(leaving) = light.seen_along(segment.ray.dir) else {
+        let Some(spawn) = light.seen_along(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
         let receives = entry.common.shadows.receive;
         let blockers = receives.then(|| before.blockers(hit, &segment.ray));
         let Some(blockers) = blockers.flatten() else {
             return Arrival::Light {
-                color: leaving,
+                color: spawn,
                 unasked: true,
             };
         };
@@ -120,7 +120,7 @@ impl Tracer<'_> {
             return Arrival::Hidden;
         }
         Arrival::Light {
-            color: leaving * passed,
+            color: spawn * passed,
             unasked: false,
         }
     }

@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use crate::accel::Entry;
-use crate::math::{Beam, Departure, Ray, Rgb};
+use crate::math::{Beam, Ray, RayOrigin, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::surface::Hit;
 
 use super::budget::Budget;
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Seed, Turn, Unfollowed};
+use super::{Errors, Probe, RayKind, Scattering, Seed, Unfollowed};
 
 /// Finds the colours of a planned scene.
 #[derive(Debug, Clone, Copy)]
@@ -49,7 +49,7 @@ struct Meeting<'m, 'a> {
     travelled: f64,
     /// What light from here is divided by for that distance.
     divisor: f64,
-    departure: &'m Departure<'m>,
+    ray_origin: &'m RayOrigin<'m>,
 }
 
 /// A ray that a surface sends on.
@@ -59,7 +59,7 @@ struct Onward<'a> {
     /// The share of what it brings back that the surface passes on.
     share: Rgb,
     dir: DVec3,
-    turn: Turn,
+    turn: Scattering,
     /// What it is inside of.
     media: Media<'a>,
 }
@@ -68,7 +68,7 @@ impl<'a> Tracer<'a> {
     /// A tracer that does what the plan says.
     #[must_use]
     pub fn new(plan: &'a Plan<'a>) -> Self {
-        let picture = &plan.scene.picture;
+        let picture = &plan.scene.settings;
         let rays = match plan.outlines {
             Some(_) => picture.first_rays(),
             None => picture.samples,
@@ -110,7 +110,7 @@ impl<'a> Tracer<'a> {
         seed: Seed,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let mut budget = Budget::new(self.plan.scene.picture.missing_light());
+        let mut budget = Budget::new(self.plan.scene.settings.missing_light());
         let beam = self.plan.filter.map(|_| self.beam(x, y));
         let path = Path {
             travelled: 0.0,
@@ -165,8 +165,8 @@ impl<'a> Tracer<'a> {
             probe.own_color(color, Rgb::BLACK);
             color
         } else {
-            let departure = &entry.departure(ray, hit);
-            let lit = (departure, divisor, path.seed);
+            let ray_origin = &entry.ray_origin(ray, hit);
+            let lit = (ray_origin, divisor, path.seed);
             let own = self.own_color(ray, (entry, hit), lit, probe);
             if sends_on {
                 let meeting = Meeting {
@@ -177,7 +177,7 @@ impl<'a> Tracer<'a> {
                     errors,
                     travelled,
                     divisor,
-                    departure,
+                    ray_origin,
                 };
                 self.with_sent_on(own, &meeting, budget, probe)
             } else {
@@ -227,7 +227,7 @@ impl<'a> Tracer<'a> {
                 kind: RayKind::Mirror,
                 share: boundary.mirrored,
                 dir: ray.mirrored(hit.normal),
-                turn: Turn::Mirrored,
+                turn: Scattering::Mirrored,
                 media: path.media,
             };
             color = (color + self.follow(next, meeting, budget, probe)).saturated();
@@ -277,7 +277,7 @@ impl<'a> Tracer<'a> {
         // What nothing called for must not move, by so much as a rounding, what others may spend.
         let mut nothing = Budget::NOTHING;
         let budget = if uncalled { &mut nothing } else { budget };
-        let ray = Ray::leaving(meeting.departure, next.dir);
+        let ray = Ray::spawn(meeting.ray_origin, next.dir);
         next.share * self.trace(&ray, &onward, budget, probe)
     }
 

@@ -1,12 +1,12 @@
 //! What is to be drawn.
 
 mod lighting;
-mod picture;
+mod render_settings;
 mod setting;
 mod write;
 
 pub use lighting::{Falloff, Lighting};
-pub use picture::Picture;
+pub use render_settings::RenderSettings;
 pub use setting::Setting;
 
 use std::sync::Arc;
@@ -15,14 +15,14 @@ use crate::camera::View;
 use crate::language::{Node, Schema, Sources};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
-use crate::surface::{self, Surface, Weld};
+use crate::surface::{self, Shared, Surface};
 use crate::texture::{Filter, Texture};
 
 /// A scene in which every name is resolved.
 #[derive(Debug)]
 pub struct Scene {
     /// The picture's size and how its pixels are made.
-    pub picture: Picture,
+    pub settings: RenderSettings,
     /// Where it is taken from.
     pub view: View,
     /// How light fades.
@@ -36,7 +36,7 @@ pub struct Scene {
     /// The surfaces in file order; of coincident ones the first is seen.
     pub surfaces: Vec<Box<dyn Surface>>,
     /// The planes and lines that surfaces share.
-    pub welds: Vec<Weld>,
+    pub shared: Vec<Shared>,
     /// The texts that it was read from.
     pub sources: Sources,
 }
@@ -46,14 +46,14 @@ impl Scene {
     #[must_use]
     pub fn is_filtered(&self) -> bool {
         let mut surfaces = self.surfaces.iter();
-        self.picture.texture_filter != Filter::Nearest
+        self.settings.texture_filter != Filter::Nearest
             && surfaces.any(|surface| surface.texture().is_some())
     }
 
     /// Every kind of node that a scene may hold, but for `include`, which only files have.
     pub fn schemas() -> impl Iterator<Item = &'static Schema> {
         const PARTS: &[&Schema] = &[
-            &Picture::SCHEMA,
+            &RenderSettings::SCHEMA,
             &View::SCHEMA,
             &Lighting::SCHEMA,
             &Texture::SCHEMA,
@@ -69,7 +69,7 @@ impl Scene {
     #[must_use]
     pub fn describe(&self) -> Vec<Node> {
         let head = [
-            self.picture.describe(),
+            self.settings.describe(),
             self.view.describe(),
             self.lighting.describe(),
         ];

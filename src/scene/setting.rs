@@ -1,6 +1,6 @@
 //! One setting of the picture, from outside of the scene file.
 
-use super::Picture;
+use super::RenderSettings;
 use crate::language::{Attribute, Range, Takes, Value, did_you_mean};
 
 /// A property of the `image` node and a value that it may have: what the command line says instead
@@ -18,7 +18,7 @@ impl Setting {
     /// # Errors
     /// Tells what was expected if the `image` node has no such property, or it no such value.
     pub fn new(word: &str, text: &str) -> Result<Self, String> {
-        let properties = Picture::SCHEMA.properties;
+        let properties = RenderSettings::SCHEMA.properties;
         let known = properties.iter().find(|property| property.word == word);
         let attribute = known.ok_or_else(|| {
             let words = || properties.iter().map(|property| property.word);
@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn every_property_of_the_picture_can_be_set() {
-        for property in Picture::SCHEMA.properties {
+        for property in RenderSettings::SCHEMA.properties {
             let text = match property.takes {
                 Takes::Word(words) => words[0],
                 _ => "1",

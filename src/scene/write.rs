@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Lighting, Picture, Scene};
+use super::{Lighting, RenderSettings, Scene};
 use crate::camera::View;
 use crate::language::{Node, Schema, Value};
 use crate::light::{Cone, Light, Slide};
@@ -12,7 +12,7 @@ use crate::texture::Texture;
 /// The parts of a scene, in the order in which they are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Part {
-    Picture,
+    RenderSettings,
     Textures,
     Materials,
     Lights,
@@ -21,8 +21,8 @@ enum Part {
 
 impl Part {
     fn of(schema: &'static Schema) -> Self {
-        if [&Picture::SCHEMA, &View::SCHEMA, &Lighting::SCHEMA].contains(&schema) {
-            Self::Picture
+        if [&RenderSettings::SCHEMA, &View::SCHEMA, &Lighting::SCHEMA].contains(&schema) {
+            Self::RenderSettings
         } else if schema == &Texture::SCHEMA {
             Self::Textures
         } else if schema == &Material::SCHEMA {
@@ -37,7 +37,7 @@ impl Part {
     /// The comment above it; the beginning speaks for itself.
     fn title(self) -> Option<&'static str> {
         match self {
-            Self::Picture => None,
+            Self::RenderSettings => None,
             Self::Textures => Some("// Textures"),
             Self::Materials => Some("// Materials"),
             Self::Lights => Some("// Lights"),

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::math::Decisions;
-use crate::math::band::{UNDERFLOW, UNIT};
+use crate::math::error_bounds::{UNDERFLOW, UNIT};
 use crate::math::exact::{Distance, Exact, Sign};
 
 /// A line and a ball around the origin, seen from the ray's origin.

@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3};
 use super::chord::{Chord, Quadratic, Roundings, is_beyond};
 use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Sphere, Surface, globe};
-use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Range, Schema, Takes, ValueError};
 use crate::math::exact::{Distance, Exact, ExactVector};
 use crate::math::{Beam, Bounds, Point, Ray, Rgb, Segment, Side, Span, direction};
 use crate::texture::{Filter, Texture, TextureMap};
@@ -70,24 +70,24 @@ impl Ellipsoid {
         radius: f64,
         scale: DVec3,
         texture: Option<Arc<Texture>>,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         let axes = scale * radius;
         if !(scale.is_finite() && scale.min_element() > 0.0) {
             let advice = "1 1 1 is a sphere, 1 0.3 1 a flat saucer";
-            let refusal = Refusal::new("scale", "a factor is not above zero", advice);
-            return Err(refusal.expected("expected three numbers above 0"));
+            let error = ValueError::new("scale", "a factor is not above zero", advice);
+            return Err(error.expected("expected three numbers above 0"));
         }
         let computable =
             axes.min_element() >= Range::SMALLEST_RADIUS && axes.max_element() <= Range::LARGEST;
         if radius.is_finite() && radius > 0.0 && !computable {
             let reason = "radius times scale is out of range";
-            let refusal = Refusal::new("scale", reason, "choose another unit of length");
-            return Err(refusal
+            let error = ValueError::new("scale", reason, "choose another unit of length");
+            return Err(error
                 .expected("expected products from 5.6e-76 to 1.8e75, which are 2^-250 and 2^250"));
         }
         if !(axes.is_finite() && axes.min_element() > 0.0) {
             let advice = "give the radius in world units";
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "radius",
                 "the radius must be above zero",
                 advice,

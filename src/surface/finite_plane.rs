@@ -15,9 +15,9 @@
 use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
-use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Range, Schema, Takes, ValueError};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
+use crate::math::{ExactGeometry, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
 
 /// A finite plane, the chapter's `fplane_t`: a rectangle, in other renderers.
 #[derive(Debug, Clone)]
@@ -70,7 +70,7 @@ impl FinitePlane {
         normal: DVec3,
         xdir: DVec3,
         dimensions: DVec2,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         let rectangle = Rectangle::new(point, normal, xdir, dimensions)?;
         Ok(Self {
             common,
@@ -161,10 +161,10 @@ impl Surface for FinitePlane {
         self.rectangle.slack()
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
         let Rectangle { flat, size, .. } = self.rectangle;
         let (normal, xdir) = (self.given_normal, self.given_xdir);
-        Some(Blueprint::rectangle(flat.point, normal, xdir, size))
+        Some(ExactGeometry::rectangle(flat.point, normal, xdir, size))
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

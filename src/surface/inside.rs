@@ -116,11 +116,11 @@ pub(super) trait Round: Surface {
             let (size, rounding) = (size * stretch, ray.rounding() * stretch);
             let (way, radius) = (self.in_ball(way), self.ball_radius());
             let side = side_of_ball(way, size, rounding, radius, Self::ROUNDINGS);
-            let inside = match (side, ray.departure) {
+            let inside = match (side, ray.ray_origin) {
                 (Some(side), _) => side == Sign::Negative,
                 (None, None) => self.exactly_inside(&ray),
-                (None, Some(departure)) => {
-                    ray = *departure.arriving;
+                (None, Some(ray_origin)) => {
+                    ray = *ray_origin.arriving;
                     match ray.goes_inside([center, axes]) {
                         Some(inside) => inside,
                         None => continue,

@@ -23,9 +23,9 @@ use glam::DVec3;
 
 use super::lamp_form::LampForm;
 use super::{Anatomy, Common, Hit, Surface};
-use crate::language::{Attribute, Default, Naming, Node, Range, Refusal, Schema, Takes};
+use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, ValueError};
 use crate::math::exact::{Distance, ExactVector, Sign};
-use crate::math::{Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Bounds, ExactGeometry, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 
 /// A rectangle or a ball that shines, and is seen to.
 #[derive(Debug, Clone)]
@@ -102,7 +102,7 @@ impl Lamp {
     /// # Errors
     /// Refuses a lamp that is neither a rectangle nor a ball, or both, or lacks a part of either; and
     /// what [`FinitePlane::new`](super::FinitePlane::new) and [`Sphere::new`](super::Sphere::new) refuse.
-    pub fn from_node(node: &Node, common: Common) -> Result<Self, Refusal> {
+    pub fn from_node(node: &Node, common: Common) -> Result<Self, ValueError> {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -205,8 +205,8 @@ impl Surface for Lamp {
         self.form.surface().exact_distance(ray)
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        self.form.surface().blueprint()
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        self.form.surface().exact_geometry()
     }
 
     fn borders(&self) -> Vec<Line> {

@@ -1,7 +1,7 @@
 //! The forms that a lamp can have.
 
 use super::{Common, FinitePlane, Sphere, Surface};
-use crate::language::{Node, Refusal};
+use crate::language::{Node, ValueError};
 
 /// The form of a lamp.
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ impl LampForm {
     ///
     /// # Errors
     /// As [`Lamp::from_node`](super::Lamp::from_node).
-    pub(super) fn from_node(node: &Node, common: Common) -> Result<Self, Refusal> {
+    pub(super) fn from_node(node: &Node, common: Common) -> Result<Self, ValueError> {
         if is_pane(node)? {
             let [point, normal, xdir] = ["point", "normal", "xdir"].map(|word| node.triple(word));
             let size = node.pair("dimensions");
@@ -52,7 +52,7 @@ impl LampForm {
 }
 
 /// Whether a lamp is a rectangle and not a ball.
-fn is_pane(node: &Node) -> Result<bool, Refusal> {
+fn is_pane(node: &Node) -> Result<bool, ValueError> {
     let given = |words: &[&'static str]| {
         let mut words = words.iter();
         words.find(|word| node.entry(word).is_some()).copied()
@@ -62,19 +62,19 @@ fn is_pane(node: &Node) -> Result<bool, Refusal> {
         (None, Some(_)) => (&LampForm::GLOBE[..], LampForm::GLOBE_HAS),
         (None, None) => {
             let advice = format!("{}, {}", LampForm::PANE_HAS, LampForm::GLOBE_HAS);
-            return Err(Refusal::new("lamp", "the lamp has no shape", advice)
+            return Err(ValueError::new("lamp", "the lamp has no shape", advice)
                 .expected("expected a rectangle or a ball between its braces"));
         }
         (Some(pane), Some(globe)) => {
             let reason = format!("the lamp has both `{pane}` and `{globe}`");
             let advice = format!("{}, {}; keep one", LampForm::PANE_HAS, LampForm::GLOBE_HAS);
-            return Err(Refusal::new(globe, reason, advice).expected("expected only one shape"));
+            return Err(ValueError::new(globe, reason, advice).expected("expected only one shape"));
         }
     };
     if let Some(lacks) = words.iter().find(|word| node.entry(word).is_none()) {
         let reason = format!("the lamp has no `{lacks}`");
         let expected = format!("expected `{lacks}` between its braces");
-        return Err(Refusal::new(lacks, reason, they).expected(expected));
+        return Err(ValueError::new(lacks, reason, they).expected(expected));
     }
     Ok(words.len() == LampForm::PANE.len())
 }

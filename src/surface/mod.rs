@@ -8,23 +8,23 @@ mod globe;
 mod inside;
 mod lamp_form;
 mod lamp_light;
-mod weld;
+mod shared;
 
 use std::fmt;
 
 use glam::{DVec2, DVec3};
 
 use crate::language::{Node, Schema};
-use crate::math::band::{FLAT_SLIP, ROUND_SLIP};
+use crate::math::error_bounds::{FLAT_SLIP, ROUND_SLIP};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Beam, Blueprint, Bounds, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{Beam, Bounds, ExactGeometry, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
 use crate::texture::{Filter, Texture};
 
 pub use anatomy::{Anatomy, Cover, Shape};
 pub use common::{Common, Shadows};
 pub use procedural_plane::Shader;
+pub use shared::{Shared, SharedKind, share};
 pub use tiled_plane::TileStart;
-pub use weld::{Weld, Welded, weld};
 
 /// The list of surface kinds: a line here makes the module, its name, and its word known.
 macro_rules! surfaces {
@@ -150,7 +150,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
     }
 
     /// The plane and the borders as the scene file has them, if the surface is flat.
-    fn blueprint(&self) -> Option<Blueprint> {
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
         None
     }
 

@@ -13,9 +13,9 @@
 use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
-use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
+use crate::language::{Attribute, Naming, Node, Schema, Takes, ValueError};
 use crate::math::exact::Distance;
-use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
+use crate::math::{ExactGeometry, Flat, Line, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane; the chapter's `plane_t`.
 #[derive(Debug, Clone)]
@@ -51,7 +51,7 @@ impl Plane {
     ///
     /// # Errors
     /// Refuses a zero normal.
-    pub fn new(common: Common, point: DVec3, normal: DVec3) -> Result<Self, Refusal> {
+    pub fn new(common: Common, point: DVec3, normal: DVec3) -> Result<Self, ValueError> {
         Ok(Self {
             common,
             flat: Flat::new(point, normal)?,
@@ -66,7 +66,7 @@ impl Plane {
     ///
     /// # Errors
     /// None that [`new`](Self::new) has not.
-    pub fn near(self, eye: DVec3) -> Result<Self, Refusal> {
+    pub fn near(self, eye: DVec3) -> Result<Self, ValueError> {
         let flat = Flat::near(eye, self.given_point, self.given_normal)?;
         Ok(Self { flat, ..self })
     }
@@ -117,8 +117,8 @@ impl Surface for Plane {
         Some(&self.flat)
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        Some(Blueprint::plane(self.given_point, self.given_normal))
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        Some(ExactGeometry::plane(self.given_point, self.given_normal))
     }
 
     fn weld(&mut self, plane: &Flat, _borders: &[Option<Line>]) {

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{Attribute, Naming, Node, Schema, Takes, words};
 use crate::math::exact::Distance;
-use crate::math::{Blueprint, Flat, Line, Ray, Rgb, Segment, Side, Span};
+use crate::math::{ExactGeometry, Flat, Line, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane whose ambient colour is a formula; the course's two examples.
 #[derive(Debug, Clone)]
@@ -113,8 +113,8 @@ impl Surface for ProceduralPlane {
         self.plane.flat()
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        self.plane.blueprint()
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        self.plane.exact_geometry()
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

@@ -17,8 +17,8 @@ use glam::{DVec2, DVec3};
 use super::chord::{Chord, Quadratic, Roundings, is_beyond};
 use super::inside::Round;
 use super::{Anatomy, Common, Hit, Shape, Surface, globe};
-use crate::language::{Attribute, Naming, Node, Range, Refusal, Schema, Takes};
-use crate::math::band::UNDERFLOW;
+use crate::language::{Attribute, Naming, Node, Range, Schema, Takes, ValueError};
+use crate::math::error_bounds::UNDERFLOW;
 use crate::math::exact::{Distance, Exact, ExactVector, Sign};
 use crate::math::{Beam, Bounds, Point, Ray, Rgb, Segment, Side, Span, UNIT, direction};
 use crate::texture::{Filter, Texture, TextureMap};
@@ -60,10 +60,10 @@ impl Sphere {
         center: DVec3,
         radius: f64,
         texture: Option<Arc<Texture>>,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         if !(radius.is_finite() && radius > 0.0) {
             let advice = "give the radius in world units";
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "radius",
                 "the radius must be above zero",
                 advice,
@@ -71,8 +71,8 @@ impl Sphere {
         }
         if radius < Range::SMALLEST_RADIUS {
             let reason = "the radius is too small";
-            let refusal = Refusal::new("radius", reason, "choose a smaller unit of length");
-            return Err(refusal.expected("expected at least 5.6e-76, which is 2^-250"));
+            let error = ValueError::new("radius", reason, "choose a smaller unit of length");
+            return Err(error.expected("expected at least 5.6e-76, which is 2^-250"));
         }
         let image = texture.map(|texture| TextureMap::clamp(texture, globe::WHOLE));
         Ok(Self {

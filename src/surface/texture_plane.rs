@@ -18,7 +18,7 @@ use glam::DVec3;
 use super::{Anatomy, Common, Cover, FinitePlane, Hit, Surface};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::exact::{Distance, ExactVector};
-use crate::math::{Beam, Blueprint, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
+use crate::math::{Beam, ExactGeometry, Flat, Line, Ray, Rectangle, Rgb, Segment, Side, Span};
 use crate::texture::{Filter, Texture, TextureMap, Wrap};
 
 /// A finite plane that wears an image: the chapter's `texplane_t`.
@@ -149,8 +149,8 @@ impl Surface for TexturePlane {
         self.plane.slack()
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        self.plane.blueprint()
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        self.plane.exact_geometry()
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

@@ -20,12 +20,12 @@ use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
 use crate::language::{
-    Attribute, Default, Naming, Node, Range, Reference, Refusal, Schema, Takes, words,
+    Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, ValueError, words,
 };
 use crate::material::Material;
-use crate::math::band::FOOT;
+use crate::math::error_bounds::FOOT;
 use crate::math::exact::{Distance, decimal};
-use crate::math::{Blueprint, Flat, Frame, Grid, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::{ExactGeometry, Flat, Frame, Grid, Line, Point, Ray, Rgb, Segment, Side, Span};
 
 /// An unbounded plane of tiles in two materials, in a checkerboard.
 ///
@@ -104,10 +104,10 @@ impl TiledPlane {
         tile: DVec2,
         start: TileStart,
         alternate: Arc<Material>,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, ValueError> {
         let frame = Frame::new(plane.given_normal(), xdir)?;
         if !(tile.is_finite() && tile.min_element() > 0.0) {
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "dimensions",
                 "width and height of a tile must be above zero",
                 "give the size of one tile in world units",
@@ -189,8 +189,8 @@ impl Surface for TiledPlane {
         self.plane.flat()
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        self.plane.blueprint()
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        self.plane.exact_geometry()
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

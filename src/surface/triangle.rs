@@ -14,11 +14,11 @@
 use glam::{DVec2, DVec3};
 
 use super::{Anatomy, Common, Hit, Shape, Surface};
-use crate::language::{Attribute, Naming, Node, Refusal, Schema, Takes};
-use crate::math::band::{EXTENT, MOMENT, UNDERFLOW};
+use crate::language::{Attribute, Naming, Node, Schema, Takes, ValueError};
+use crate::math::error_bounds::{EXTENT, MOMENT, UNDERFLOW};
 use crate::math::exact::{Distance, ExactVector};
 use crate::math::{
-    Blueprint, Crossing, Flat, Line, Point, Ray, Rgb, Segment, Side, Span, inside_all,
+    Crossing, ExactGeometry, Flat, Line, Point, Ray, Rgb, Segment, Side, Span, inside_all,
 };
 
 /// A triangle, lit on the side from which its vertices run counter-clockwise.
@@ -57,14 +57,14 @@ impl Triangle {
     ///
     /// # Errors
     /// Refuses corners that lie on one line.
-    pub fn new(common: Common, vertices: [DVec3; 3]) -> Result<Self, Refusal> {
+    pub fn new(common: Common, vertices: [DVec3; 3]) -> Result<Self, ValueError> {
         let [a, b, c] = vertices;
         let edge = |to: DVec3| Point::exact(to).exactly_from(a);
         let normal = edge(b).cross(&edge(c)).unit();
         // What the file says in decimals may be in line though the doubles next to them are not.
-        let meant = Blueprint::polygon(&vertices).normal;
+        let meant = ExactGeometry::polygon(&vertices).normal;
         if normal == DVec3::ZERO || meant.is_zero() {
-            return Err(Refusal::new(
+            return Err(ValueError::new(
                 "vertex3",
                 "the three vertices lie on one line",
                 "a triangle needs three corners that are not in line",
@@ -214,8 +214,8 @@ impl Surface for Triangle {
         self.slack
     }
 
-    fn blueprint(&self) -> Option<Blueprint> {
-        Some(Blueprint::polygon(&self.vertices))
+    fn exact_geometry(&self) -> Option<ExactGeometry> {
+        Some(ExactGeometry::polygon(&self.vertices))
     }
 
     fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {

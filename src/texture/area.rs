@@ -53,9 +53,9 @@ pub(super) fn mean(sums: &Sums, footprint: &Footprint, size: DVec2) -> Option<Rg
     let bands = (BANDS * range).sqrt().ceil().max(1.0);
     let (mut sum, mut total) = (DVec3::ZERO, 0.0);
     let mut add = |low: f64, high: f64| {
-        let band = seen.cut(|image| image.z - low).cut(|image| high - image.z);
-        let share = band.area();
-        if let Some(mean) = mean_of_band(sums, &band)
+        let error_bounds = seen.cut(|image| image.z - low).cut(|image| high - image.z);
+        let share = error_bounds.area();
+        if let Some(mean) = mean_of_band(sums, &error_bounds)
             && share > 0.0
         {
             sum += mean * share;
@@ -79,8 +79,8 @@ pub(super) fn mean(sums: &Sums, footprint: &Footprint, size: DVec2) -> Option<Rg
 
 /// The mean of the texels in a part of a pixel of nearly one depth; `None` if it is too small to have
 /// one.
-fn mean_of_band(sums: &Sums, band: &Polygon) -> Option<DVec3> {
-    let places = band.places();
+fn mean_of_band(sums: &Sums, error_bounds: &Polygon) -> Option<DVec3> {
+    let places = error_bounds.places();
     let low = places.clone().reduce(DVec2::min)?;
     // Whole periods of the texture are taken off, so that no sum is larger than need be.
     let start = (low / sums.sides()).floor() * sums.sides();

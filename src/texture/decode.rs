@@ -22,12 +22,12 @@ pub struct DecodeError {
     pub path: PathBuf,
     /// What is wrong with it.
     #[source]
-    pub fault: Fault,
+    pub fault: ImageFileError,
 }
 
 /// What is wrong with an image file.
 #[derive(Debug, thiserror::Error)]
-pub enum Fault {
+pub enum ImageFileError {
     /// It is missing or cannot be opened or read.
     #[error("it cannot be read: {0}")]
     Io(io::Error),
@@ -66,41 +66,45 @@ pub fn decode(path: &Path) -> Result<Texels, DecodeError> {
 }
 
 /// The bytes of a file.
-fn read(path: &Path) -> Result<Vec<u8>, Fault> {
+fn read(path: &Path) -> Result<Vec<u8>, ImageFileError> {
     const MOST: u64 = 1 << 30;
     // A pipe would be waited for, perhaps for ever.
-    let kind = fs::metadata(path).map_err(Fault::Io)?;
+    let kind = fs::metadata(path).map_err(ImageFileError::Io)?;
     if !kind.is_file() && !kind.is_dir() {
-        return Err(Fault::Format("it is not a regular file".to_owned()));
+        return Err(ImageFileError::Format(
+            "it is not a regular file".to_owned(),
+        ));
     }
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(Fault::Io)?;
+    let file = File::open(path).map_err(ImageFileError::Io)?;
     file.take(MOST + 1)
         .read_to_end(&mut bytes)
-        .map_err(Fault::Io)?;
+        .map_err(ImageFileError::Io)?;
     if bytes.len() as u64 > MOST {
         let reason = format!("the file has more than {} MiB", MOST >> 20);
-        return Err(Fault::Format(reason));
+        return Err(ImageFileError::Format(reason));
     }
     Ok(bytes)
 }
 
 /// Refuses a size that a texture cannot have.
-fn size(bytes: &[u8]) -> Result<(), Fault> {
+fn size(bytes: &[u8]) -> Result<(), ImageFileError> {
     if bytes.is_empty() {
-        return Err(Fault::Format("the file is empty".to_owned()));
+        return Err(ImageFileError::Format("the file is empty".to_owned()));
     }
     let (width, height) = match (Header::read(bytes), png_size(bytes)) {
         (Some(header), _) => header.map(|header| (header.width, header.height))?,
         (None, Some(size)) => size,
-        (None, None) => reader(bytes)?.into_dimensions().map_err(Fault::from)?,
+        (None, None) => reader(bytes)?
+            .into_dimensions()
+            .map_err(ImageFileError::from)?,
     };
     if width == 0 || height == 0 {
-        return Err(Fault::Empty(width, height));
+        return Err(ImageFileError::Empty(width, height));
     }
     let count = u64::from(width) * u64::from(height);
     if width.max(height) > LONGEST_SIDE || count > MOST_TEXELS {
-        return Err(Fault::TooLarge(width, height));
+        return Err(ImageFileError::TooLarge(width, height));
     }
     Ok(())
 }
@@ -113,12 +117,12 @@ fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
     Some((side(0)?, side(4)?))
 }
 
-fn texels(bytes: &[u8]) -> Result<Texels, Fault> {
+fn texels(bytes: &[u8]) -> Result<Texels, ImageFileError> {
     size(bytes)?;
     if let Some(header) = Header::read(bytes) {
         return header?.texels(bytes);
     }
-    let image = reader(bytes)?.decode().map_err(Fault::from)?;
+    let image = reader(bytes)?.decode().map_err(ImageFileError::from)?;
     let (width, height) = (image.width() as usize, image.height() as usize);
     let deep = matches!(
         image,
@@ -144,15 +148,15 @@ fn texels(bytes: &[u8]) -> Result<Texels, Fault> {
     })
 }
 
-fn reader(bytes: &[u8]) -> Result<ImageReader<Cursor<&[u8]>>, Fault> {
+fn reader(bytes: &[u8]) -> Result<ImageReader<Cursor<&[u8]>>, ImageFileError> {
     let reader = ImageReader::new(Cursor::new(bytes));
-    let mut reader = reader.with_guessed_format().map_err(Fault::Io)?;
+    let mut reader = reader.with_guessed_format().map_err(ImageFileError::Io)?;
     // The size is checked here, before anything is allocated.
     reader.limits(Limits::no_limits());
     Ok(reader)
 }
 
-impl Fault {
+impl ImageFileError {
     fn of(self, path: &Path) -> DecodeError {
         DecodeError {
             path: path.to_owned(),
@@ -161,7 +165,7 @@ impl Fault {
     }
 }
 
-impl From<ImageError> for Fault {
+impl From<ImageError> for ImageFileError {
     fn from(error: ImageError) -> Self {
         match error {
             ImageError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {

@@ -13,7 +13,7 @@ mod pyramid;
 mod sums;
 mod wrap;
 
-pub use decode::{DecodeError, Fault, LONGEST_SIDE, MOST_TEXELS, check, decode};
+pub use decode::{DecodeError, ImageFileError, LONGEST_SIDE, MOST_TEXELS, check, decode};
 pub use fetches::fetched_by_this_thread;
 pub use filter::Filter;
 pub use map::TextureMap;

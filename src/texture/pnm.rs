@@ -3,7 +3,7 @@
 //! Read here and not by the `image` crate, which rounds to 8 bits where a file's largest value is
 //! not 255, and takes values above the largest one for the largest.
 
-use super::{Texels, decode::Fault};
+use super::{Texels, decode::ImageFileError};
 
 /// What stands before the texels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub(super) struct Header {
 
 impl Header {
     /// The header of a file; `None` if it is of another kind.
-    pub(super) fn read(bytes: &[u8]) -> Option<Result<Self, Fault>> {
+    pub(super) fn read(bytes: &[u8]) -> Option<Result<Self, ImageFileError>> {
         let (color, binary) = match bytes.first_chunk()? {
             b"P2" => (false, false),
             b"P3" => (true, false),
@@ -33,16 +33,16 @@ impl Header {
         Some(Self::numbers(bytes, color, binary))
     }
 
-    fn numbers(bytes: &[u8], color: bool, binary: bool) -> Result<Self, Fault> {
+    fn numbers(bytes: &[u8], color: bool, binary: bool) -> Result<Self, ImageFileError> {
         let mut numbers = Numbers { bytes, at: 2 };
         let mut next = |what: &str| {
-            let missing = || Err(Fault::Format(format!("it has no {what}")));
+            let missing = || Err(ImageFileError::Format(format!("it has no {what}")));
             numbers.next().unwrap_or_else(missing)
         };
         let (width, height, largest) = (next("width")?, next("height")?, next("largest value")?);
         if !(1..=0xFFFF).contains(&largest) {
             let reason = format!("its largest value is {largest}, expected one from 1 to 65535");
-            return Err(Fault::Format(reason));
+            return Err(ImageFileError::Format(reason));
         }
         Ok(Self {
             width,
@@ -56,7 +56,7 @@ impl Header {
     }
 
     /// The texels that follow the header; its size must be one that fits into memory.
-    pub(super) fn texels(self, bytes: &[u8]) -> Result<Texels, Fault> {
+    pub(super) fn texels(self, bytes: &[u8]) -> Result<Texels, ImageFileError> {
         let (width, height) = (self.width as usize, self.height as usize);
         let wanted = width * height * if self.color { 3 } else { 1 };
         let values = if self.binary {
@@ -66,14 +66,14 @@ impl Header {
         };
         if values.len() < wanted {
             let reason = format!("it ends after {} of {wanted} values", values.len());
-            return Err(Fault::Damaged(reason));
+            return Err(ImageFileError::Damaged(reason));
         }
         if let Some(above) = values.iter().find(|value| **value > self.largest) {
             let reason = format!(
                 "it has the value {above}, but its largest is {}",
                 self.largest
             );
-            return Err(Fault::Format(reason));
+            return Err(ImageFileError::Format(reason));
         }
         let texel = |values: &[u16]| match *values {
             [r, g, b] => [r, g, b].map(|value| self.scaled(value)),
@@ -109,7 +109,7 @@ impl Header {
     }
 
     /// At most this many values from decimal numbers.
-    fn decimals(self, bytes: &[u8], wanted: usize) -> Result<Vec<u16>, Fault> {
+    fn decimals(self, bytes: &[u8], wanted: usize) -> Result<Vec<u16>, ImageFileError> {
         let numbers = Numbers {
             bytes,
             at: self.start,
@@ -118,7 +118,7 @@ impl Header {
             let number = number?;
             u16::try_from(number).map_err(|_| {
                 let largest = self.largest;
-                Fault::Format(format!(
+                ImageFileError::Format(format!(
                     "it has the value {number}, but its largest is {largest}"
                 ))
             })
@@ -145,7 +145,7 @@ struct Numbers<'a> {
 }
 
 impl Iterator for Numbers<'_> {
-    type Item = Result<u32, Fault>;
+    type Item = Result<u32, ImageFileError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let mut comment = false;
@@ -168,11 +168,11 @@ impl Iterator for Numbers<'_> {
         let digits = token.iter().all(u8::is_ascii_digit);
         Some(match text.parse() {
             Ok(number) if digits => Ok(number),
-            Err(_) if digits => Err(Fault::Format(format!(
+            Err(_) if digits => Err(ImageFileError::Format(format!(
                 "`{}…` is too large",
                 shortened(&text)
             ))),
-            _ => Err(Fault::Format(format!(
+            _ => Err(ImageFileError::Format(format!(
                 "`{}` is not a number",
                 shortened(&text)
             ))),

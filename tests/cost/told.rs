@@ -11,7 +11,7 @@ fn how_often_max_error_is_met_is_told() {
     let cost = measured(&mut scene, &["max-error=0.05,0.00001", "samples=4"], 2);
     let mut told = Vec::new();
     for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "0.00001", 1e-5)] {
-        scene.picture.max_error = max_error;
+        scene.settings.max_error = max_error;
         let (film, _) = render(&scene, &|_| ()).expect("a picture");
         let pairs = film.pixels().iter().zip(cost.reference.film.pixels());
         let met = pairs.filter(|(pixel, truth)| {
@@ -35,7 +35,7 @@ fn how_often_max_error_is_met_is_told() {
     assert!(cost.words().contains(&words), "{words}: {}", cost.words());
 
     // Rungs of other dials keep it, and are not told.
-    scene.picture.max_error = 0.05;
+    scene.settings.max_error = 0.05;
     let cost = measured(&mut scene, &["max-error=0.1", "samples=64"], 2);
     assert!(cost.rungs.iter().all(|rung| rung.met.is_some()));
     let words = cost.met_words().expect("a target");
@@ -47,10 +47,10 @@ fn how_often_max_error_is_met_is_told() {
     );
 
     // Where nothing turns it alone, all are.
-    scene.picture.max_error = 0.0;
+    scene.settings.max_error = 0.0;
     let grid = ["samples=1,64", "max-error=0.1"];
     let grid = grid.map(|text| Variation::new(text).expect("a variation"));
-    let grid = Ladder::of_all(scene.picture, &grid).expect("a ladder");
+    let grid = Ladder::of_all(scene.settings, &grid).expect("a ladder");
     let cost =
         heliodon::measure::cost(&mut scene, &grid, None, 1, false, &|_, _| ()).expect("a cost");
     let words = cost.met_words().expect("a target");
@@ -129,11 +129,11 @@ fn the_table_fits_into_eighty_columns() {
     ];
     let grid = grid.map(|text| Variation::new(text).expect("a variation"));
     let mut room = room();
-    room.picture.width = 20;
-    room.picture.height = 15;
+    room.settings.width = 20;
+    room.settings.height = 15;
     let effects = effects_of(&room).expect("a possible camera");
-    let each = Ladder::of(room.picture, &effects);
-    let all = Ladder::of_all(room.picture, &grid).expect("a ladder");
+    let each = Ladder::of(room.settings, &effects);
+    let all = Ladder::of_all(room.settings, &grid).expect("a ladder");
     for (ladder, lines) in [(each, 1), (all, 2)] {
         let cost = cost(&mut room, &ladder, None, 2, false, &|_, _| ()).expect("a cost");
         let rows = cost.rows();
@@ -201,7 +201,7 @@ fn a_step_of_a_dial_has_the_word_of_that_dial() {
         let image = format!("image 32 24 quantize=\"{rounding}\"");
         let mut scene = scene(&SCENE.replace("image 32 24", &image));
         let effects = effects_of(&scene).expect("a possible camera");
-        let ladder = Ladder::of(scene.picture, &effects);
+        let ladder = Ladder::of(scene.settings, &effects);
         let cost = cost(&mut scene, &ladder, None, 1, false, &|_, _| ()).expect("a cost");
         let words = cost.words();
         for expected in [

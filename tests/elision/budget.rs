@@ -45,12 +45,12 @@ fn with_mirror(wall: &str, behind: &str) -> Scene {
 
 /// Lets each of a scene's rays be the last one, by a hair, that is followed or not.
 fn is_the_same_at_every_brink(mut scene: Scene) {
-    scene.picture.cut_off = 1.0;
+    scene.settings.cut_off = 1.0;
     let (_, Missed(missed)) = observed(&scene, Scope::CalledFor, &|_| ()).expect("a camera");
     assert_eq!(missed.len(), 16 * 12);
     for missed in missed {
         for cut_off in [missed, missed.next_down()] {
-            scene.picture.cut_off = cut_off;
+            scene.settings.cut_off = cut_off;
             let differing = differing(&scene);
             assert!(differing.is_empty(), "{cut_off}: {differing:?}");
         }

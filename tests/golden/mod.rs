@@ -53,18 +53,18 @@ pub(crate) fn picture(scene: &Path, options: &Options) -> Result<RgbImage, Compl
     let title = scene.display();
     let reading = read_file(scene, options).map_err(|error| format!("{title}: {error}"))?;
     let scene = reading
-        .map_err(|rejection| {
-            let problems = rejection.problems.iter();
+        .map_err(|scene_error| {
+            let problems = scene_error.problems.iter();
             let messages: Vec<_> = problems.map(|problem| problem.message.as_str()).collect();
             format!("{title}: {}", messages.join("; "))
         })?
         .scene;
     let (film, _) =
-        render(&scene, &|_| ()).map_err(|refusal| format!("{title}: {}", refusal.reason))?;
-    let encoding = scene.picture.encoding();
+        render(&scene, &|_| ()).map_err(|error| format!("{title}: {}", error.reason))?;
+    let encoding = scene.settings.encoding();
     Ok(RgbImage::from_fn(
-        scene.picture.width,
-        scene.picture.height,
+        scene.settings.width,
+        scene.settings.height,
         |column, row| {
             let pixel = film.pixel(column as usize, row as usize);
             // The code is at most 255, so its low byte is all of it.

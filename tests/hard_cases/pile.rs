@@ -32,7 +32,7 @@ pub(crate) fn pile(node: &Node, back_end: BackEnd) -> Answer {
         let common = Common::new(material.clone());
         FinitePlane::new(common, DVec3::ZERO, DVec3::Z, DVec3::X, DVec2::ONE)
             .map(|plane| Box::new(plane) as Box<dyn Surface>)
-            .map_err(|refusal| refusal.reason.to_string())
+            .map_err(|error| error.reason.to_string())
     });
     let surfaces = made.collect::<Result<Vec<_>, _>>()?;
     let classic = classic::surfaces(&surfaces, back_end.numerics());

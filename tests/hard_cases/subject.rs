@@ -7,7 +7,7 @@ use heliodon::language::{Node, render_problems};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
-use heliodon::read::{Options, Rejection, read_bytes};
+use heliodon::read::{Options, SceneError, read_bytes};
 use heliodon::render::{Counts, drawn, observed_part, render};
 use heliodon::scene::{Scene, Setting};
 use heliodon::surface::{Hit, Surface, classic};
@@ -66,7 +66,7 @@ pub(crate) struct Subject {
 
 /// Why a scene is refused.
 #[derive(Debug)]
-pub(crate) struct Refused {
+pub(crate) struct OutputError {
     /// Everything that is said: message, place, advice.
     pub(crate) said: String,
     /// Whether a line of the file is pointed at.
@@ -91,7 +91,7 @@ pub(crate) struct Stage {
 
 impl Subject {
     /// Reads a whole scene.
-    pub(crate) fn read(back_end: BackEnd, text: &str) -> Result<Self, Refused> {
+    pub(crate) fn read(back_end: BackEnd, text: &str) -> Result<Self, OutputError> {
         let read = read_bytes(
             "scene.kdl",
             text.into(),
@@ -108,7 +108,7 @@ impl Subject {
                 numerics,
             }
         })
-        .map_err(|rejection| Refused::from(&rejection))
+        .map_err(|scene_error| OutputError::from(&scene_error))
     }
 
     /// The scene as nodes of the scene language.
@@ -146,7 +146,7 @@ impl Subject {
 
     /// The picture, and how many rays it took.
     pub(crate) fn picture(&self) -> Result<(Film, Counts), String> {
-        render(self.scene, &|_| ()).map_err(|refusal| refusal.reason.to_string())
+        render(self.scene, &|_| ()).map_err(|error| error.reason.to_string())
     }
 
     /// A part of the picture, from its upper left pixel to before its lower right one.
@@ -155,7 +155,7 @@ impl Subject {
         Region::between(corners[0], corners[1])
             .and_then(|part| observed_part::<Counts>(self.scene, Scope::CalledFor, part, &|_| ()))
             .map(|(film, _)| film)
-            .map_err(|refusal| refusal.reason.to_string())
+            .map_err(|error| error.reason.to_string())
     }
 
     /// The picture with surfaces found in this way, and nothing left out.
@@ -169,15 +169,15 @@ impl Subject {
         )
         .and_then(|plan| drawn::<Counts>(&plan, &|_| ()))
         .map(|(film, _)| film)
-        .map_err(|refusal| refusal.reason.to_string())
+        .map_err(|error| error.reason.to_string())
     }
 }
 
-impl From<&Rejection> for Refused {
-    fn from(rejection: &Rejection) -> Self {
+impl From<&SceneError> for OutputError {
+    fn from(scene_error: &SceneError) -> Self {
         Self {
-            said: render_problems(&rejection.problems, &rejection.sources, false, 100),
-            has_place: rejection
+            said: render_problems(&scene_error.problems, &scene_error.sources, false, 100),
+            has_place: scene_error
                 .problems
                 .iter()
                 .any(|problem| problem.place.is_some()),
@@ -255,7 +255,7 @@ impl Met {
     pub(crate) fn mirrored(&self, ray: &Ray<'static>) -> Ray<'static> {
         let direction = ray.mirrored(self.hit.normal);
         let arriving: &'static Ray<'static> = Box::leak(Box::new(*ray));
-        let departure = self.entry.departure(arriving, &self.hit);
-        Ray::leaving(Box::leak(Box::new(departure)), direction)
+        let ray_origin = self.entry.ray_origin(arriving, &self.hit);
+        Ray::spawn(Box::leak(Box::new(ray_origin)), direction)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heliodon::accel::{Between, LampView, SurfaceList};
-use heliodon::math::{Departure, Point, Ray, Segment, Side, unit};
+use heliodon::math::{Point, Ray, RayOrigin, Segment, Side, unit};
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
 use heliodon::scene::Scene;
@@ -145,36 +145,36 @@ fn from_the_lowest_place_that_is_said_to_see_all_of_a_lamp_all_of_it_is_seen() {
         let along = unit(up.cross(DVec3::new(0.3, 0.1, 1.0))).expect("a direction");
         // A ray that arrives from above, and leaves the floor for the lamp.
         let arriving = Ray::new(Point::exact(DVec3::splat(-9.0)), DVec3::Y);
-        let departure = |height: f64, aside: f64| {
+        let ray_origin = |height: f64, aside: f64| {
             let place = Point::exact(touch + along * aside + up * height);
-            Departure::new(surfaces.entries()[0].sheet(), &arriving, place, 0.0)
+            RayOrigin::new(surfaces.entries()[0].sheet(), &arriving, place, 0.0)
         };
-        let is_open = |departure: &Departure| {
-            let ray = Ray::leaving(departure, DVec3::Y);
+        let is_open = |ray_origin: &RayOrigin| {
+            let ray = Ray::spawn(ray_origin, DVec3::Y);
             let between = views[0].between(&surfaces.entries()[0], &ray, true);
             matches!(between, Between::Nothing)
         };
         for aside in [0.0, 0.7, -1.5, 3.0, 40.0] {
             let (mut low, mut high) = (0.0, 400.0);
-            assert!(is_open(&departure(high, aside)), "{thing} {aside}");
-            assert!(!is_open(&departure(low, aside)), "{thing} {aside}");
+            assert!(is_open(&ray_origin(high, aside)), "{thing} {aside}");
+            assert!(!is_open(&ray_origin(low, aside)), "{thing} {aside}");
             for _ in 0..80 {
                 let middle = f64::midpoint(low, high);
-                if is_open(&departure(middle, aside)) {
+                if is_open(&ray_origin(middle, aside)) {
                     high = middle;
                 } else {
                     low = middle;
                 }
             }
             assert!(high < 0.1 + aside.abs() / 8.0, "{thing} {aside}: {high}");
-            let departure = departure(high, aside);
+            let ray_origin = ray_origin(high, aside);
             for power in 3..60 {
                 for sign in [1.0, -1.0] {
                     // Within what rounding can make of a point of the lamp.
                     let off = along * sign * libm::exp2(-f64::from(power));
                     for sunk in [0.0, 1.0, 4.0, 16.0] {
                         let end = touch + off - up * sunk * f64::EPSILON * touch.length();
-                        let segment = Segment::new(&departure, end).expect("a way");
+                        let segment = Segment::new(&ray_origin, end).expect("a way");
                         let hides = caster.occludes(&segment, Side::Front);
                         assert!(!hides, "{thing} {aside} {power} {sunk}");
                     }

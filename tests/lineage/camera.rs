@@ -111,9 +111,6 @@ fn an_eye_behind_its_screen_is_refused() {
         let stage = Stage::new(&format!(
             "image 8 6\n camera {{ viewpoint 4 3 {z}; screen 8 6 }}"
         ));
-        assert_eq!(
-            stage.refusal(),
-            "the viewpoint is not in front of the screen"
-        );
+        assert_eq!(stage.error(), "the viewpoint is not in front of the screen");
     }
 }

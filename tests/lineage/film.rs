@@ -1,6 +1,6 @@
 //! From intensities to files.
 
-use heliodon::film::{Depth, Film, Format, Notes, Rounding};
+use heliodon::film::{BitDepth, Film, Format, Notes, Rounding};
 use heliodon::math::Rgb;
 use heliodon::texture::decode;
 
@@ -51,7 +51,7 @@ fn codes_are_rounded_or_truncated() {
 fn the_scene_chooses_the_rounding() {
     let rounding = |property: &str| {
         let text = format!("image 1 1 {property}\n camera {{ viewpoint 0 0 4; screen 1 1 }}");
-        Stage::new(&text).scene().picture.rounding
+        Stage::new(&text).scene().settings.rounding
     };
     assert_eq!(rounding(""), Rounding::Nearest);
     assert_eq!(rounding("quantize=\"truncate\""), Rounding::Truncate);
@@ -62,13 +62,13 @@ fn the_scene_chooses_the_rounding() {
 fn the_scene_chooses_the_depth() {
     let depth = |property: &str| {
         let text = format!("image 1 1 {property}\n camera {{ viewpoint 0 0 4; screen 1 1 }}");
-        Stage::new(&text).scene().picture.depth
+        Stage::new(&text).scene().settings.depth
     };
-    assert_eq!(depth(""), Depth::Eight);
-    assert_eq!(depth("depth=8"), Depth::Eight);
-    assert_eq!(depth("depth=16"), Depth::Sixteen);
-    assert_eq!(depth("depth=\"16\""), Depth::Sixteen);
-    assert_eq!(depth("depth=float"), Depth::Float);
+    assert_eq!(depth(""), BitDepth::Eight);
+    assert_eq!(depth("depth=8"), BitDepth::Eight);
+    assert_eq!(depth("depth=16"), BitDepth::Sixteen);
+    assert_eq!(depth("depth=\"16\""), BitDepth::Sixteen);
+    assert_eq!(depth("depth=float"), BitDepth::Float);
 }
 
 /// S16: the chapter has no curve; the scene may ask for one, and a PNG tells of it.
@@ -76,7 +76,7 @@ fn the_scene_chooses_the_depth() {
 fn a_curve_is_applied_if_the_scene_asks_for_it() {
     let encoding = |property: &str| {
         let text = format!("image 1 1 {property}\n camera {{ viewpoint 0 0 4; screen 1 1 }}");
-        Stage::new(&text).scene().picture.encoding()
+        Stage::new(&text).scene().settings.encoding()
     };
     let picture = film(1, &[Rgb::new(0.5, 0.002, 2.0)]);
     let written = |format, property| {
@@ -139,7 +139,7 @@ fn samples_repeat() {
         sphere { material "red"; center 15.5 7.5 -9; radius 7 }"#;
     let draw = || {
         let mut scene = Stage::grid(text).scene();
-        scene.picture.samples = 7;
+        scene.settings.samples = 7;
         super::tools::film(&scene)
     };
     let (first, second) = (draw(), draw());

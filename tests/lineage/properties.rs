@@ -77,8 +77,8 @@ proptest! {
         let list = SurfaceList::new(&SURFACES);
         let ray = ray(origin.into(), dir.into());
         let Some((left, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else { return Ok(()) };
-        let departure = left.departure(&ray, &hit);
-        let onward = Ray::leaving(&departure, unit(onward).unwrap());
+        let ray_origin = left.ray_origin(&ray, &hit);
+        let onward = Ray::spawn(&ray_origin, unit(onward).unwrap());
         if let Some((met, _)) = list.nearest(&onward, Span::AHEAD, &mut 0) {
             prop_assert_ne!(met.support, left.support);
             prop_assert_ne!(met.index, left.index);

@@ -3,7 +3,7 @@
 use super::tools::{Stage, assert_color};
 
 fn refused(text: &str) -> String {
-    Stage::eye(text).image("white", &["W"]).refusal()
+    Stage::eye(text).image("white", &["W"]).error()
 }
 
 /// G10: an xdir that is zero or along the normal is refused.
@@ -102,7 +102,7 @@ fn bad_image_files() {
         b"P6 0 1 255\n",
     ];
     for file in files {
-        let message = poster(file).refusal();
+        let message = poster(file).error();
         assert!(message.contains("poster.ppm"), "{message}");
     }
 }

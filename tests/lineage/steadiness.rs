@@ -94,7 +94,7 @@ fn on_threads(count: usize, scene: &heliodon::scene::Scene) -> Film {
 #[test]
 fn threads_do_not_change_a_picture() {
     let mut scene = scene(1.0, [0.0; 3]).scene();
-    scene.picture.samples = 2;
+    scene.settings.samples = 2;
     let one = on_threads(1, &scene);
     assert!(
         one.pixels()

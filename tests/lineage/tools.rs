@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use heliodon::film::Film;
 use heliodon::math::{Point, Ray, Rgb, Span, unit};
-use heliodon::read::{Options, Reading, Rejection, read_bytes};
+use heliodon::read::{Options, Reading, SceneError, read_bytes};
 use heliodon::render::{Counts, render};
 use heliodon::scene::Scene;
 use heliodon::surface::{Hit, Surface};
@@ -73,7 +73,7 @@ impl Stage {
         self
     }
 
-    fn read(&self) -> Result<Reading, Rejection> {
+    fn read(&self) -> Result<Reading, SceneError> {
         // Without images of its own, a scene finds those of the project.
         let folder = self.folder.as_ref().map_or_else(
             || Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes"),
@@ -91,17 +91,17 @@ impl Stage {
     pub(super) fn scene(&self) -> Scene {
         match self.read() {
             Ok(reading) => reading.scene,
-            Err(rejection) => panic!("{:#?}", rejection.problems),
+            Err(scene_error) => panic!("{:#?}", scene_error.problems),
         }
     }
 
     /// What the reader says against the scene, one message after the other.
     #[track_caller]
-    pub(super) fn refusal(&self) -> String {
-        let Err(rejection) = self.read() else {
+    pub(super) fn error(&self) -> String {
+        let Err(scene_error) = self.read() else {
             panic!("the scene was not refused");
         };
-        let messages = rejection.problems.iter().map(ToString::to_string);
+        let messages = scene_error.problems.iter().map(ToString::to_string);
         messages.collect::<Vec<_>>().join("\n")
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use heliodon::material::Material;
 use heliodon::math::{Frame, Point, Ray, Rgb, unit};
-use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle, weld};
+use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle, share};
 
 use super::random::{Random, Style};
 use super::rational::{Vector, number};
@@ -244,7 +244,7 @@ pub(crate) fn welded_rectangle(random: &mut Random) -> (Boxed, Ray<'static>) {
         let last_place = place.abs().max_element() * f64::EPSILON / 2.0;
         let lift = normal * (last_place * 7.0 * random.signed());
         let mut surfaces = vec![make(DVec3::ZERO), make(place + lift)];
-        weld(&mut surfaces);
+        share(&mut surfaces);
         let start = frame.x * random.signed() + frame.y * random.signed();
         let height = last_place * 16.0 * random.signed();
         let way = place + (frame.x + frame.y) * 0.5 - start - normal * height;
@@ -276,7 +276,7 @@ pub(crate) fn welded_triangle(random: &mut Random) -> (Boxed, Ray<'static>) {
         [3.0, 2.0 + beside],
     ]);
     let mut surfaces = vec![first, second];
-    weld(&mut surfaces);
+    share(&mut surfaces);
     let along = 2.0 + random.share();
     let across = 4e-15 * random.signed();
     let place = DVec3::new(along, along + across, 0.0);

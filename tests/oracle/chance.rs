@@ -6,11 +6,11 @@ use heliodon::math::{Point, Ray, Span, unit};
 use super::cases;
 use super::equality::{SEED, cases as count};
 use super::random::{Random, Style};
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 #[test]
 fn random_rays_need_no_exact_arithmetic() {
-    let mut tally = Tally::default();
+    let mut tally = SampleAccumulator::default();
     let mut rays = 0u64;
     for scene in 0..count().div_ceil(10) {
         let mut random = Random::of(SEED, scene);
@@ -38,7 +38,7 @@ fn random_rays_need_no_exact_arithmetic() {
 /// unless it passes within rounding of a border.
 #[test]
 fn random_rays_nearly_along_a_plane_need_hardly_any_exact_arithmetic() {
-    let (mut tally, mut rays) = (Tally::default(), 0);
+    let (mut tally, mut rays) = (SampleAccumulator::default(), 0);
     for scene in 0..count() / 10 {
         let mut random = Random::of(SEED, scene);
         let surface = cases::surface(&mut random, Style::Uniform, 1.0);

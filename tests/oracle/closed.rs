@@ -6,7 +6,7 @@ use super::equality::{SEED, cases, verdict};
 use super::floors::Floor;
 use super::random::Random;
 use super::rooms::Room;
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// Rays for each scene.
 const EACH: u64 = 100;
@@ -18,11 +18,11 @@ fn either(scene: u64) -> Accelerator {
 
 #[test]
 fn a_ray_at_a_seam_meets_exactly_one_tile() {
-    let mut tally = Tally::default();
+    let mut tally = SampleAccumulator::default();
     for scene in 0..cases().div_ceil(EACH) {
         let mut random = Random::of(SEED, scene);
         let mut floor = Floor::any(&mut random);
-        floor.weld(&mut tally);
+        floor.share(&mut tally);
         for _ in 0..EACH {
             tally.observe_within(|tally| floor.ask(&mut random, tally));
         }
@@ -43,7 +43,7 @@ fn no_ray_leaves_a_closed_room() {
         ),
         ("rooms of rectangles", Room::of_rectangles),
     ] {
-        let mut tally = Tally::default();
+        let mut tally = SampleAccumulator::default();
         for scene in 0..cases().div_ceil(EACH) {
             let mut random = Random::of(SEED, scene);
             let room = make(&mut random, 1.0);
@@ -66,7 +66,7 @@ fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
         ),
         ("mirrors of rectangles", Room::scaled_rectangles),
     ] {
-        let mut tally = Tally::default();
+        let mut tally = SampleAccumulator::default();
         for scene in 0..cases().div_ceil(100) {
             let mut random = Random::of(SEED, scene);
             let room = make(&mut random);
@@ -83,7 +83,7 @@ fn no_mirrored_ray_leaves_a_room_or_meets_its_own_sheet() {
 
 #[test]
 fn no_ray_leaves_through_the_corner_that_it_starts_in() {
-    let mut tally = Tally::default();
+    let mut tally = SampleAccumulator::default();
     for scene in 0..cases().div_ceil(EACH) {
         let mut random = Random::of(SEED, scene);
         let room = Room::of_rectangles(&mut random, 1.0);

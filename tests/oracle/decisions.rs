@@ -4,13 +4,13 @@ use std::cmp::Ordering;
 
 use glam::{DVec2, DVec3};
 use heliodon::accel::{Accelerator, LightView, SurfaceList};
-use heliodon::math::{Departure, Point, Ray, Rgb, Segment, Side, Span};
+use heliodon::math::{Point, Ray, RayOrigin, Rgb, Segment, Side, Span};
 use heliodon::surface::{Hit, Surface};
 
 use super::cases::{self, Boxed};
 use super::random::Random;
 use super::rational::{Vector, number, rounded, sign};
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 use super::truth::{self, Distance};
 
 /// Beyond this, a distance is no longer a finite double for certain.
@@ -19,12 +19,12 @@ const FARTHEST: f64 = 1e300;
 /// The tallies of random and of aimed rays.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tallies {
-    pub(crate) random: Tally,
-    pub(crate) aimed: Tally,
+    pub(crate) random: SampleAccumulator,
+    pub(crate) aimed: SampleAccumulator,
 }
 
 impl Tallies {
-    fn of(&mut self, aimed: bool) -> &mut Tally {
+    fn of(&mut self, aimed: bool) -> &mut SampleAccumulator {
         if aimed {
             &mut self.aimed
         } else {
@@ -46,7 +46,7 @@ pub(crate) fn meeting(random: &mut Random, tallies: &mut Tallies, shares: Shares
 }
 
 /// A tree of boxes never leaves out what is met: it finds what a list does.
-fn check_tree(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
+fn check_tree(surfaces: &[Boxed], ray: &Ray, tally: &mut SampleAccumulator) {
     let found = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
         let list = SurfaceList::with(surfaces, accelerator);
         let found = list.nearest(ray, Span::AHEAD, &mut 0);
@@ -58,7 +58,12 @@ fn check_tree(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
 }
 
 /// Compares one ray and one surface.
-pub(crate) fn check_meeting(surface: &dyn Surface, ray: &Ray, tally: &mut Tally, shares: Shares) {
+pub(crate) fn check_meeting(
+    surface: &dyn Surface,
+    ray: &Ray,
+    tally: &mut SampleAccumulator,
+    shares: Shares,
+) {
     let exact = truth::meets(surface, ray);
     if exact.as_ref().is_some_and(|at| at.approximate() > FARTHEST) {
         return;
@@ -133,7 +138,7 @@ fn through(random: &mut Random, place: DVec3, ray: &Ray) -> Boxed {
     Box::new(Plane::new(cases::common(), place, normal).expect("a normal that is not zero"))
 }
 
-fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
+fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut SampleAccumulator) {
     let mut exact: Option<(usize, Distance)> = None;
     for (index, surface) in surfaces.iter().enumerate() {
         let Some(distance) = truth::meets(&**surface, ray) else {
@@ -190,11 +195,11 @@ pub(crate) fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     };
     let end = random.nudged(end, 3);
     let arriving = Ray::new(Point::exact(ray.origin.world()), DVec3::Z);
-    let departure = Departure::new((None, None), &arriving, ray.origin, 0.0);
-    let Some(segment) = Segment::new(&departure, end) else {
+    let ray_origin = RayOrigin::new((None, None), &arriving, ray.origin, 0.0);
+    let Some(segment) = Segment::new(&ray_origin, end) else {
         return;
     };
-    let Some(exact) = hides(&*surface, &segment, departure.rounding()) else {
+    let Some(exact) = hides(&*surface, &segment, ray_origin.rounding()) else {
         return;
     };
     let tally = tallies.of(aimed);

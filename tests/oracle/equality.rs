@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::cases::far_and_round;
 use super::decisions::{self, Tallies};
 use super::random::Random;
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// How many cases of each kind.
 pub(super) fn cases() -> u64 {
@@ -16,7 +16,7 @@ pub(super) fn cases() -> u64 {
 pub(super) const SEED: u64 = 0x48_65_6c_69;
 
 /// Fails unless nothing was found wrong.
-pub(super) fn verdict(what: &str, tally: &Tally) {
+pub(super) fn verdict(what: &str, tally: &SampleAccumulator) {
     println!(
         "{what}: {} cases, {} positive, {} exactly, {} by rule, {} wrong",
         tally.cases, tally.positive, tally.exactly, tally.by_rule, tally.mismatches
@@ -72,7 +72,7 @@ fn occlusions_are_the_exact_ones() {
 
 #[test]
 fn far_and_round_things_are_met_exactly_where_they_are() {
-    let mut tally = Tally::default();
+    let mut tally = SampleAccumulator::default();
     for case in 0..cases() / 4 {
         let (surface, ray) = far_and_round(&mut Random::of(SEED, case));
         decisions::check_meeting(&*surface, &ray, &mut tally, &mut |_, _| ());

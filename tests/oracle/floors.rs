@@ -2,12 +2,12 @@
 
 use glam::{DVec2, DVec3};
 use heliodon::math::{Frame, Point, Ray, Span, unit};
-use heliodon::surface::{FinitePlane, Triangle, Welded, weld};
+use heliodon::surface::{FinitePlane, SharedKind, Triangle, share};
 
 use super::cases::{Boxed, common};
 use super::random::Random;
 use super::rational::{Vector, number};
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// Rows of tiles, cut at the same places or at others, each tile written down in its own way.
 #[derive(Debug)]
@@ -176,11 +176,11 @@ impl Floor {
     }
 
     /// Welds the tiles, as loading a scene does, and sees to it that all seams were found.
-    pub(crate) fn weld(&mut self, tally: &mut Tally) {
-        let welds = weld(&mut self.surfaces);
+    pub(crate) fn share(&mut self, tally: &mut SampleAccumulator) {
+        let welds = share(&mut self.surfaces);
         let lines = welds
             .iter()
-            .filter(|weld| weld.what == Welded::Line)
+            .filter(|weld| weld.what == SharedKind::Line)
             .count();
         let mut inner: Vec<_> = self
             .cuts
@@ -258,7 +258,7 @@ impl Floor {
     }
 
     /// Sends a ray at a seam; exactly one tile has to be there.
-    pub(crate) fn ask(&self, random: &mut Random, tally: &mut Tally) {
+    pub(crate) fn ask(&self, random: &mut Random, tally: &mut SampleAccumulator) {
         let ray = self.ray(random);
         let hits = |surface: &&Boxed| surface.hits(&ray, Span::AHEAD).is_some();
         let count = self.surfaces.iter().filter(hits).count();

@@ -46,19 +46,19 @@ fn what_is_known_of_a_lamp_without_a_ray_is_what_rays_find() {
             if entry.surface.lamp().is_some() || !all.lights(entry) {
                 continue;
             }
-            let departure = entry.departure(&seen, &hit);
-            let leaving = Ray::leaving(&departure, hit.normal);
-            let known = fewer.between(entry, &leaving, true);
+            let ray_origin = entry.ray_origin(&seen, &hit);
+            let spawn = Ray::spawn(&ray_origin, hit.normal);
+            let known = fewer.between(entry, &spawn, true);
             match known {
                 Between::Nothing => open += 1,
                 Between::Wall => walls += 1,
                 Between::Some(_) => {}
             }
-            let asked = all.between(entry, &leaving, true);
+            let asked = all.between(entry, &spawn, true);
             for _ in 0..PLACES {
                 let at = DVec2::from([0; 2].map(|_| random.share()));
                 let (end, weight) = all.lamp.sample(&hit.point, hit.normal, at);
-                let segment = Segment::new(&departure, end);
+                let segment = Segment::new(&ray_origin, end);
                 let Some(segment) = segment.filter(|_| weight > 0.0) else {
                     continue;
                 };

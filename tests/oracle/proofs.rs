@@ -1,7 +1,7 @@
 //! Bounds that are as wide as their proofs say, whatever a search finds.
 
 use glam::{DVec2, DVec3};
-use heliodon::math::{Crossing, Decisions, Departure, Flat, Point, Ray, Rectangle, Span, UNIT};
+use heliodon::math::{Crossing, Decisions, Flat, Point, Ray, RayOrigin, Rectangle, Span, UNIT};
 
 /// Each bound is at least what the longest path of its expression can round, in the worst case of
 /// all roundings at once, which no search finds.
@@ -11,7 +11,7 @@ fn no_bound_is_smaller_than_its_proof() {
     let flat = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
     let down = |point: DVec3| Ray::new(Point::exact(point), DVec3::NEG_Z);
     let height = flat.crossing(&down(DVec3::Z)).expect("a plane below").doubt;
-    let foot = Departure::new(
+    let foot = RayOrigin::new(
         (None, None),
         &down(DVec3::Z),
         Point::exact(DVec3::ZERO),

@@ -3,11 +3,11 @@
 use glam::{DVec2, DVec3};
 use heliodon::accel::SurfaceList;
 use heliodon::math::{Point, Ray, Span, unit};
-use heliodon::surface::{FinitePlane, Hit, Plane, Sphere, weld};
+use heliodon::surface::{FinitePlane, Hit, Plane, Sphere, share};
 
 use super::cases::{Boxed, common};
 use super::random::Random;
-use super::tally::Tally;
+use super::tally::SampleAccumulator;
 
 /// A room with mirrors for walls.
 #[derive(Debug)]
@@ -91,7 +91,7 @@ impl Room {
                 }
             }
         }
-        weld(&mut surfaces);
+        share(&mut surfaces);
         let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(length)) * scale);
         let half = (high - low) / 2.0;
         let room = Self {
@@ -191,7 +191,12 @@ impl Room {
     }
 
     /// Sends a ray from inside; it has to meet a wall.
-    pub(crate) fn ask(&self, list: &SurfaceList, random: &mut Random, tally: &mut Tally) {
+    pub(crate) fn ask(
+        &self,
+        list: &SurfaceList,
+        random: &mut Random,
+        tally: &mut SampleAccumulator,
+    ) {
         let from = self.place(random, 0.3);
         let ray = Ray::new(Point::exact(from), self.direction(random, from));
         tally.cases += 1;
@@ -205,7 +210,12 @@ impl Room {
 
     /// Sends a ray from a wall, where rounding has put it a place or two beyond the others that
     /// meet in the corner or on an edge; it has to meet one of them, or what is opposite.
-    pub(crate) fn ask_in_corner(&self, list: &SurfaceList, random: &mut Random, tally: &mut Tally) {
+    pub(crate) fn ask_in_corner(
+        &self,
+        list: &SurfaceList,
+        random: &mut Random,
+        tally: &mut SampleAccumulator,
+    ) {
         let from = self.place(random, 0.3);
         let ends = self
             .reach
@@ -227,10 +237,10 @@ impl Room {
                 point.offset[axis] += ulp * f64::from(random.between(-2, 2));
             }
         }
-        let departure = entry.departure(&ray, &Hit { point, ..hit });
+        let ray_origin = entry.ray_origin(&ray, &Hit { point, ..hit });
         let way = random.cube();
         let inward = way - hit.normal * (2.0 * way.dot(hit.normal)).min(0.0);
-        let next = Ray::leaving(&departure, unit(inward).unwrap_or(hit.normal));
+        let next = Ray::spawn(&ray_origin, unit(inward).unwrap_or(hit.normal));
         tally.cases += 1;
         if list.nearest(&next, Span::AHEAD, &mut 0).is_some() {
             tally.positive += 1;
@@ -246,7 +256,7 @@ impl Room {
         list: &SurfaceList,
         random: &mut Random,
         bounces: u32,
-        tally: &mut Tally,
+        tally: &mut SampleAccumulator,
     ) {
         let from = self.place(random, 0.3);
         let ray = Ray::new(Point::exact(from), self.direction(random, from));
@@ -259,7 +269,7 @@ impl Room {
         ray: &Ray,
         random: &mut Random,
         bounces: u32,
-        tally: &mut Tally,
+        tally: &mut SampleAccumulator,
     ) {
         tally.cases += 1;
         let Some((entry, hit)) = list.nearest(ray, Span::AHEAD, &mut 0) else {
@@ -281,7 +291,7 @@ impl Room {
         if bounces == 0 {
             return;
         }
-        let departure = entry.departure(ray, &hit);
+        let ray_origin = entry.ray_origin(ray, &hit);
         let through = can_be_passed && random.once_in(2);
         let dir = if through {
             ray.dir
@@ -290,7 +300,7 @@ impl Room {
         };
         self.follow_on(
             list,
-            &Ray::leaving(&departure, dir),
+            &Ray::spawn(&ray_origin, dir),
             random,
             bounces - 1,
             tally,

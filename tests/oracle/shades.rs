@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use heliodon::accel::{Before, LightView, SurfaceList};
 use heliodon::math::{Point, Ray, Rgb, Segment, Side, Span, unit};
-use heliodon::surface::{FinitePlane, Hit, weld};
+use heliodon::surface::{FinitePlane, Hit, share};
 
 use super::cases::{Boxed, letting_through, rectangle, rim, round, triangle};
 use super::equality::{SEED, cases};
@@ -36,8 +36,8 @@ fn what_is_not_asked_hides_nothing() {
             let Some((entry, hit)) = list.nearest(&seen, Span::AHEAD, &mut 0) else {
                 continue;
             };
-            let departure = entry.departure(&seen, &hit);
-            let Some(segment) = Segment::new(&departure, light) else {
+            let ray_origin = entry.ray_origin(&seen, &hit);
+            let Some(segment) = Segment::new(&ray_origin, light) else {
                 continue;
             };
             if segment.ray.dir.dot(hit.normal) <= 0.0 {
@@ -113,7 +113,7 @@ impl Place {
         if self.far == 0.0 && random.once_in(2) {
             surfaces.push(round(random, Style::Whole, self.scale));
         }
-        weld(&mut surfaces);
+        share(&mut surfaces);
         surfaces
     }
 

@@ -7,7 +7,7 @@ use heliodon::math::Decisions;
 
 /// Counts of cases and of what was found wrong.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Tally {
+pub(crate) struct SampleAccumulator {
     /// Decisions compared.
     pub(crate) cases: u64,
     /// Of these, hits, or whatever else is not nothing.
@@ -30,7 +30,7 @@ pub(crate) struct Tally {
     pub(crate) samples: Vec<String>,
 }
 
-impl Tally {
+impl SampleAccumulator {
     /// Takes a decision and notes whether doubles sufficed for it.
     pub(crate) fn observe<T>(&mut self, decision: impl FnOnce() -> T) -> T {
         let before = Decisions::of_this_thread();
@@ -78,7 +78,7 @@ impl Tally {
     }
 }
 
-impl AddAssign for Tally {
+impl AddAssign for SampleAccumulator {
     fn add_assign(&mut self, other: Self) {
         self.cases += other.cases;
         self.positive += other.positive;

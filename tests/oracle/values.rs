@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 use glam::DVec3;
-use heliodon::math::{Departure, Point, Ray, Span, unit};
+use heliodon::math::{Point, Ray, RayOrigin, Span, unit};
 use heliodon::surface::{Common, Plane, Surface};
 
 use super::cases;
@@ -123,7 +123,7 @@ fn points_of_rectangles_and_triangles_are_within_their_bound() {
 /// How far a hit point lies from where it ought to, in units of what is said of that; `None` if it may
 /// slide so far along its ray that no more than a part of that is counted.
 pub(super) fn share_of_rounding(exact: &RBig, ray: &Ray, point: Point, slip: f64) -> Option<f64> {
-    let said = |slip| Departure::new((None, None), ray, point, slip).rounding();
+    let said = |slip| RayOrigin::new((None, None), ray, point, slip).rounding();
     if said(2.0 * slip) <= said(slip) {
         return None;
     }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use heliodon::plan::{Plan, Scope, Seen};
+use heliodon::plan::{Plan, Reachability, Scope};
 use heliodon::read::{Options, read_bytes};
 
 const HEAD: &str = r#"
@@ -14,7 +14,7 @@ const HEAD: &str = r#"
 "#;
 
 /// How rays can meet each surface of a scene, in file order.
-fn seen(nodes: &str) -> Vec<Seen> {
+fn seen(nodes: &str) -> Vec<Reachability> {
     let text = format!("{HEAD}{nodes}").into_bytes();
     let reading = read_bytes("seen", text, PathBuf::new(), &Options::default());
     let scene = reading.expect("a scene").scene;
@@ -23,7 +23,7 @@ fn seen(nodes: &str) -> Vec<Seen> {
 }
 
 /// A square in sight that faces the eye, and balls behind it, before it, and touching its plane.
-fn beside_square(material: &str) -> Vec<Seen> {
+fn beside_square(material: &str) -> Vec<Reachability> {
     seen(&format!(
         r#"
         finite-plane {{ material "{material}"; point -1 0 0; normal 0 0 1; xdir 1 0 0; dimensions 2 2 }}
@@ -37,7 +37,7 @@ fn beside_square(material: &str) -> Vec<Seen> {
 
 #[test]
 fn what_sends_nothing_on_shows_nothing() {
-    use Seen::{Directly, Never};
+    use Reachability::{Directly, Never};
     let mut seen = beside_square("chalk");
     // A plane without end is never said to be out of sight.
     assert_eq!(seen.pop(), Some(Directly));
@@ -46,21 +46,21 @@ fn what_sends_nothing_on_shows_nothing() {
 
 #[test]
 fn a_mirror_shows_what_is_before_it_and_what_may_be() {
-    use Seen::{Directly, Never, SentOn};
+    use Reachability::{Directly, Never, SentOn};
     let seen = beside_square("silver");
     assert_eq!(seen[..4], [Directly, Never, SentOn, SentOn]);
 }
 
 #[test]
 fn a_pane_lets_rays_through_and_mirrors_nothing() {
-    use Seen::{Directly, Never, SentOn};
+    use Reachability::{Directly, Never, SentOn};
     let seen = beside_square("pane");
     assert_eq!(seen[..4], [Directly, SentOn, Never, SentOn]);
 }
 
 #[test]
 fn mirrors_show_what_mirrors_show_from_the_side_that_rays_come_from() {
-    use Seen::{Directly, SentOn};
+    use Reachability::{Directly, SentOn};
     // The first mirror faces the eye; the second is behind the eye and only seen in the first.
     let seen = seen(
         r#"
@@ -77,7 +77,7 @@ fn mirrors_show_what_mirrors_show_from_the_side_that_rays_come_from() {
 
 #[test]
 fn something_round_sends_rays_anywhere() {
-    use Seen::{Directly, SentOn};
+    use Reachability::{Directly, SentOn};
     let seen = seen(
         r#"
         sphere { material "silver"; center 0 1 0; radius 1 }

@@ -1,7 +1,7 @@
 //! What is known of many neighbouring rays at once changes neither the picture nor what is counted.
 
 use heliodon::accel::Ahead;
-use heliodon::camera::Stretch;
+use heliodon::camera::PixelSpan;
 use heliodon::film::Film;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
@@ -91,7 +91,7 @@ fn beside_all_that_can_be_seen_of_a_surface_a_stretch_has_nothing_ahead() {
     let ahead = |y: f64, first: u32| {
         let row = &plan.camera.row(y);
         let count = 5;
-        match sight.along(&Stretch { row, first, count }) {
+        match sight.along(&PixelSpan { row, first, count }) {
             Ahead::Nothing => 0,
             Ahead::One(_) => 1,
             Ahead::Several => 2,

@@ -82,8 +82,8 @@ impl Ball {
         let Some((entry, hit)) = list.nearest(&ray, Span::AHEAD, &mut 0) else {
             return false;
         };
-        let departure = entry.departure(&ray, &hit);
-        let mirrored = Ray::leaving(&departure, ray.mirrored(hit.normal));
+        let ray_origin = entry.ray_origin(&ray, &hit);
+        let mirrored = Ray::spawn(&ray_origin, ray.mirrored(hit.normal));
         let inward = ray.dir.dot(hit.normal) < 0.0;
         // A rounding beside the rim a ray may seem to come from inside; then it is mirrored there.
         let met = list.nearest(&mirrored, Span::AHEAD, &mut 0);
@@ -92,7 +92,7 @@ impl Ball {
             .bent
             .unwrap();
         if inward {
-            self.inside(list, &Ray::leaving(&departure, bent), case, mirrors);
+            self.inside(list, &Ray::spawn(&ray_origin, bent), case, mirrors);
         }
         inward
     }
@@ -115,13 +115,13 @@ impl Ball {
             off < 4.0 * f64::EPSILON,
             "case {case}: {off:e} off the surface"
         );
-        let departure = entry.departure(ray, &hit);
+        let ray_origin = entry.ray_origin(ray, &hit);
         if mirrors > 0 {
-            let next = Ray::leaving(&departure, ray.mirrored(hit.normal));
+            let next = Ray::spawn(&ray_origin, ray.mirrored(hit.normal));
             return self.inside(list, &next, case, mirrors - 1);
         }
         if let Some(bent) = Refraction::new(ray.dir, hit.normal, GLASS, 1.0).bent {
-            let out = Ray::leaving(&departure, bent);
+            let out = Ray::spawn(&ray_origin, bent);
             let met = list.nearest(&out, Span::AHEAD, &mut 0);
             assert!(met.is_none(), "case {case}: left, and met again");
         }

@@ -248,8 +248,8 @@ fn an_image_with_the_exact_filter_takes_rays_only_at_borders() {
         let mean = counts.camera_rays / (24 * 18);
         assert!((5..100).contains(&mean), "{border}: {mean}");
         let mut even = floor(border);
-        even.picture.max_error = 0.0;
-        even.picture.samples = 4096;
+        even.settings.max_error = 0.0;
+        even.settings.samples = 4096;
         let errors = errors(&film, &drawn(&even).0);
         let share = share_within(&errors, 2.0 / 255.0);
         assert!(share >= 0.995, "{border}: {share}");

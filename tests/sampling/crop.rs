@@ -61,9 +61,9 @@ fn a_part_lies_within_the_picture() {
     let scene = scene("room", [32, 24], &[]);
     let outside = Region::between([30, 0], [33, 4]).expect("some pixels");
     let refused = observed_part::<Counts>(&scene, Scope::CalledFor, outside, &|_| ());
-    let refusal = refused.expect_err("it is not");
+    let error = refused.expect_err("it is not");
     assert_eq!(
-        refusal.reason,
+        error.reason,
         "the crop 30,0,33,4 reaches beyond the picture of 32 by 24 pixels"
     );
 }

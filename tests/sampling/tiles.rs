@@ -3,12 +3,12 @@
 
 use std::path::Path;
 
-use heliodon::film::{Format, Print, Region};
+use heliodon::film::{EncodedImage, Format, Region};
 use heliodon::language::Takes;
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::{Counts, observed_part, printed_part};
-use heliodon::scene::{Picture, Scene, Setting};
+use heliodon::scene::{RenderSettings, Scene, Setting};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Something of everything: an image to the horizon, mirrors, a bent view, soft and coloured shadows.
@@ -52,7 +52,7 @@ fn turned() -> Vec<Vec<(&'static str, String)>> {
         _ => None,
     };
     let mut all = Vec::new();
-    for dial in Picture::SCHEMA.properties {
+    for dial in RenderSettings::SCHEMA.properties {
         let values: Vec<String> = match dial.takes {
             Takes::Word(words) => words.iter().map(|word| (*word).to_owned()).collect(),
             _ => {
@@ -100,10 +100,10 @@ fn drawn(scene: &Scene, part: Region, threads: &ThreadPool) -> (Vec<[u64; 3]>, V
         let film = observed_part::<Counts>(scene, Scope::CalledFor, part, &|_| ());
         let (film, _) = film.expect("a possible camera");
         let mut formats = Format::ALL.into_iter();
-        let format = formats.find(|format| format.depth() == scene.picture.depth);
+        let format = formats.find(|format| format.depth() == scene.settings.depth);
         let format = format.expect("a format for each depth");
         let print = printed_part::<Counts>(scene, Scope::CalledFor, part, format, &|_| ());
-        let (print, _): (Print, _) = print.expect("a possible camera");
+        let (print, _): (EncodedImage, _) = print.expect("a possible camera");
         let pixels = film.pixels().iter();
         let bits = pixels.map(|pixel| pixel.channels().map(f64::to_bits));
         (bits.collect(), print.bytes().to_vec())
@@ -120,8 +120,11 @@ fn every_dial_gives_the_same_bytes_in_tiles_of_any_size_on_any_number_of_threads
     });
     for settings in dials {
         let scene = scene(&settings);
-        let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
-        let whole = Region::whole([scene.picture.width, scene.picture.height]);
+        let (width, height) = (
+            scene.settings.width as usize,
+            scene.settings.height as usize,
+        );
+        let whole = Region::whole([scene.settings.width, scene.settings.height]);
         let (bits, bytes) = drawn(&scene, whole, &pools[0]);
         assert!(bits.iter().any(|pixel| *pixel != bits[0]), "{settings:?}");
         // Square tiles, rows, columns, more than a picture, and again the whole.

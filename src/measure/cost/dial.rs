@@ -1,7 +1,7 @@
 //! The accuracy dials, as data.
 
 use crate::plan::Effect;
-use crate::scene::{Picture, Setting};
+use crate::scene::{RenderSettings, Setting};
 
 /// A property of the `image` node that buys accuracy for time, and what is tried of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,7 +116,7 @@ impl Dial {
     /// Whether the `image` node has it.
     #[must_use]
     fn exists(&self) -> bool {
-        let mut properties = Picture::SCHEMA.properties.iter();
+        let mut properties = RenderSettings::SCHEMA.properties.iter();
         properties.any(|property| property.word == self.word)
     }
 
@@ -128,7 +128,7 @@ impl Dial {
 }
 
 /// A picture's settings with each dial at its best.
-pub(super) fn best_of(picture: Picture) -> Picture {
+pub(super) fn best_of(picture: RenderSettings) -> RenderSettings {
     let best = Dial::all().filter_map(Dial::best);
     best.fold(picture, |picture, setting| picture.with(&setting))
 }
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn every_property_of_the_picture_is_a_dial() {
         // The curve is a matter of taste: no other picture is righter.
-        let properties = Picture::SCHEMA.properties.iter();
+        let properties = RenderSettings::SCHEMA.properties.iter();
         for property in properties.filter(|property| property.word != "transfer") {
             assert!(Dial::of(property.word).is_some(), "{}", property.word);
         }

@@ -2,10 +2,10 @@
 
 use super::Dial;
 use crate::camera::Pattern;
-use crate::film::{Depth, Rounding};
-use crate::language::{Refusal, Value};
+use crate::film::{BitDepth, Rounding};
+use crate::language::{Value, ValueError};
 use crate::plan::Effect;
-use crate::scene::{Picture, Setting};
+use crate::scene::{RenderSettings, Setting};
 
 /// One combination of settings that is tried.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Rung {
     /// What is set differently from the scene.
     pub settings: Vec<Setting>,
     /// All settings together.
-    pub picture: Picture,
+    pub picture: RenderSettings,
     /// The dial that alone is turned, if one is.
     pub dial: Option<&'static str>,
     /// Other dials of which this is a step, too.
@@ -66,7 +66,7 @@ impl Ladder {
     /// The ladder of a scene whose picture has these settings and in which these effects are
     /// simulated: each dial alone that can change the picture.
     #[must_use]
-    pub fn of(base: Picture, on: &[Effect]) -> Self {
+    pub fn of(base: RenderSettings, on: &[Effect]) -> Self {
         let mut ladder = Self::starting_at(base);
         for dial in Dial::all().filter(|dial| dial.matters(on)) {
             let beside = dial.beside.iter();
@@ -86,7 +86,7 @@ impl Ladder {
     ///
     /// # Errors
     /// Refuses settings that make no sense together.
-    pub fn of_each(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
+    pub fn of_each(base: RenderSettings, variations: &[Variation]) -> Result<Self, ValueError> {
         let mut ladder = Self::starting_at(base);
         for setting in variations.iter().flat_map(|variation| &variation.0) {
             ladder.add(base, Some(setting.word()), vec![setting.clone()])?;
@@ -98,7 +98,7 @@ impl Ladder {
     ///
     /// # Errors
     /// Refuses settings that make no sense together.
-    pub fn of_all(base: Picture, variations: &[Variation]) -> Result<Self, Refusal> {
+    pub fn of_all(base: RenderSettings, variations: &[Variation]) -> Result<Self, ValueError> {
         let mut combinations = vec![Vec::new()];
         for variation in joined(variations) {
             let longer = combinations.iter().flat_map(|combination: &Vec<Setting>| {
@@ -119,7 +119,7 @@ impl Ladder {
         Ok(ladder)
     }
 
-    fn starting_at(base: Picture) -> Self {
+    fn starting_at(base: RenderSettings) -> Self {
         Self(vec![Rung {
             label: "as it is".to_owned(),
             settings: Vec::new(),
@@ -132,11 +132,11 @@ impl Ladder {
     /// Adds a rung, which turns this dial alone if any, unless another gives the same picture.
     fn add(
         &mut self,
-        base: Picture,
+        base: RenderSettings,
         dial: Option<&'static str>,
         settings: Vec<Setting>,
-    ) -> Result<(), Refusal> {
-        let with = |picture: Picture, setting| picture.with(setting);
+    ) -> Result<(), ValueError> {
+        let with = |picture: RenderSettings, setting| picture.with(setting);
         let rung = Rung {
             label: label(&settings),
             picture: settings.iter().fold(base, with),
@@ -198,10 +198,10 @@ fn joined(variations: &[Variation]) -> Vec<Variation> {
 
 /// The settings that can be seen in a picture: floats are not rounded to code values, a single ray goes
 /// through the middle of its pixel, and those that `max-error` adds have a pattern of their own.
-fn seen(picture: Picture) -> Picture {
+fn seen(picture: RenderSettings) -> RenderSettings {
     let rounding = match picture.depth {
-        Depth::Eight | Depth::Sixteen => picture.rounding,
-        Depth::Float => Rounding::default(),
+        BitDepth::Eight | BitDepth::Sixteen => picture.rounding,
+        BitDepth::Float => Rounding::default(),
     };
     let is_spread = picture.samples > 1 && picture.max_error == 0.0;
     let pattern = if is_spread {
@@ -209,7 +209,7 @@ fn seen(picture: Picture) -> Picture {
     } else {
         Pattern::default()
     };
-    Picture {
+    RenderSettings {
         rounding,
         pattern,
         ..picture
@@ -227,9 +227,9 @@ fn label(settings: &[Setting]) -> String {
 mod tests {
     use super::*;
 
-    fn base() -> Picture {
-        let node = crate::language::Node::new(&Picture::SCHEMA, None).value([4.0, 3.0]);
-        Picture::from_node(&node).expect("a picture")
+    fn base() -> RenderSettings {
+        let node = crate::language::Node::new(&RenderSettings::SCHEMA, None).value([4.0, 3.0]);
+        RenderSettings::from_node(&node).expect("a picture")
     }
 
     fn labels(ladder: &Ladder) -> Vec<&str> {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::reference::written;
 use super::{Blame, Dial, Rung, Truth, draw, pictures};
 use crate::film::Film;
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::measure::change::share_within;
 use crate::measure::clock::timed_in_all_threads;
 use crate::measure::deviation::rmse;
@@ -155,7 +155,7 @@ impl Subject {
     }
 
     /// Draws it once more.
-    pub(super) fn draw(&mut self, scene: &mut Scene) -> Result<Film, Refusal> {
+    pub(super) fn draw(&mut self, scene: &mut Scene) -> Result<Film, ValueError> {
         let ([cpu, wall], drawn) = timed_in_all_threads(|| draw(scene, self.rung.picture));
         let (film, counts) = drawn?;
         self.cpu.push(cpu);
@@ -184,7 +184,7 @@ impl Subject {
         film: Film,
         truth: &Truth,
         pictures: bool,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), ValueError> {
         let film = self.as_compared(film);
         let reference = &truth.reference;
         let (deviation, kept) = rayon::join(

@@ -29,10 +29,10 @@ pub use spots::Spot;
 use serde::Serialize;
 
 use crate::film::Film;
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::plan::{Effect, Plan, Scope};
 use crate::render::{Counts, observed};
-use crate::scene::{Picture, Scene};
+use crate::scene::{RenderSettings, Scene};
 use crate::surface::classic;
 use measured::Subject;
 use spots::Spots;
@@ -75,8 +75,8 @@ pub fn cost(
     runs: u32,
     pictures: bool,
     progress: &dyn Fn(usize, usize),
-) -> Result<Cost, Refusal> {
-    let (base, runs) = (scene.picture, runs.max(1));
+) -> Result<Cost, ValueError> {
+    let (base, runs) = (scene.settings, runs.max(1));
     // The reference and the best of each dial are about as much work as one run.
     let steps = (runs as usize + 1) * ladder.0.len();
     progress(0, steps);
@@ -138,7 +138,11 @@ struct Twin {
 
 /// The twins of the dials of a ladder that have a best setting; what only shapes what is written is
 /// at its best before that.
-fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>, Refusal> {
+fn twins(
+    scene: &mut Scene,
+    base: RenderSettings,
+    ladder: &Ladder,
+) -> Result<Vec<Twin>, ValueError> {
     let mut twins = Vec::new();
     for dial in DIALS {
         let turned = ladder.0.iter().find(|rung| rung.dial == Some(dial.word));
@@ -162,14 +166,14 @@ fn twins(scene: &mut Scene, base: Picture, ladder: &Ladder) -> Result<Vec<Twin>,
 
 /// Draws what is not measured: the first picture also fetches program and textures into the caches, and
 /// the first with a filter makes what that needs of each texture.
-fn warm_up(scene: &mut Scene, ladder: &Ladder) -> Result<(), Refusal> {
-    let base = scene.picture;
+fn warm_up(scene: &mut Scene, ladder: &Ladder) -> Result<(), ValueError> {
+    let base = scene.settings;
     draw(scene, base)?;
     let mut filters = vec![base.texture_filter];
     for Rung { picture, .. } in &ladder.0 {
         if !filters.contains(&picture.texture_filter) {
             filters.push(picture.texture_filter);
-            let quick = Picture {
+            let quick = RenderSettings {
                 samples: 1,
                 max_error: 0.0,
                 texture_filter: picture.texture_filter,
@@ -182,10 +186,10 @@ fn warm_up(scene: &mut Scene, ladder: &Ladder) -> Result<(), Refusal> {
 }
 
 /// Draws a scene with other settings of its picture, and gives it back its own.
-fn draw(scene: &mut Scene, picture: Picture) -> Result<(Film, Counts), Refusal> {
-    let own = std::mem::replace(&mut scene.picture, picture);
+fn draw(scene: &mut Scene, picture: RenderSettings) -> Result<(Film, Counts), ValueError> {
+    let own = std::mem::replace(&mut scene.settings, picture);
     let drawn = observed(scene, Scope::CalledFor, &|_| ());
-    scene.picture = own;
+    scene.settings = own;
     drawn
 }
 
@@ -193,8 +197,8 @@ fn draw(scene: &mut Scene, picture: Picture) -> Result<(Film, Counts), Refusal> 
 ///
 /// # Errors
 /// Refuses a camera that cannot exist.
-pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, Refusal> {
-    let classic = classic::surfaces(&scene.surfaces, scene.picture.numerics);
+pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, ValueError> {
+    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
     let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
     let on = plan.decisions().into_iter().filter(|decision| decision.on);
     Ok(on.map(|decision| decision.effect).collect())
@@ -214,7 +218,7 @@ mod tests {
         let reading = read_bytes("scene", text.into(), PathBuf::new(), &Options::default());
         let mut scene = reading.expect("a scene").scene;
         let variation = Variation::new("samples=4").expect("a variation");
-        let ladder = Ladder::of_each(scene.picture, &[variation]).expect("a ladder");
+        let ladder = Ladder::of_each(scene.settings, &[variation]).expect("a ladder");
         let told = Mutex::new(Vec::new());
         let note = |done, of| told.lock().expect("a list").push((done, of));
         cost(&mut scene, &ladder, None, 2, false, &note).expect("a cost");

@@ -7,7 +7,7 @@ use serde_json::json;
 use super::plot::color;
 use super::words::percent;
 use super::{Best, Blame, Cost, Law, Measured, pictures};
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::measure::Timing;
 use crate::measure::clock::in_words;
 use crate::measure::plot::{STYLE, escaped};
@@ -20,7 +20,7 @@ impl Cost {
     ///
     /// # Errors
     /// Refuses a picture that cannot be kept.
-    pub fn page(&self, scene: &str, answers: &[(&str, Best)]) -> Result<String, Refusal> {
+    pub fn page(&self, scene: &str, answers: &[(&str, Best)]) -> Result<String, ValueError> {
         let reference = pictures::png(&self.reference.film)?;
         let [width, height] = self.size;
         let parts = |word: &str| match word {

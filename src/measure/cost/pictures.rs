@@ -2,7 +2,7 @@
 
 use super::Pictures;
 use crate::film::{Film, Rounding};
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::measure::change::shown;
 
 /// The largest error in code values that is drawn black.
@@ -19,7 +19,7 @@ const HEAT: [[f64; 3]; 6] = [
 ];
 
 /// A picture, its errors, and where they are largest.
-pub(super) fn of(film: &Film, reference: &Film) -> Result<Pictures, Refusal> {
+pub(super) fn of(film: &Film, reference: &Film) -> Result<Pictures, ValueError> {
     let pairs = film.pixels().iter().zip(reference.pixels());
     let errors = pairs.map(|(pixel, truth)| {
         let [pixel, truth] = [pixel, truth].map(|pixel| pixel.channels().map(shown));
@@ -37,7 +37,7 @@ pub(super) fn of(film: &Film, reference: &Film) -> Result<Pictures, Refusal> {
 }
 
 /// A picture as a PNG file, as small as can be.
-pub(super) fn png(film: &Film) -> Result<Vec<u8>, Refusal> {
+pub(super) fn png(film: &Film) -> Result<Vec<u8>, ValueError> {
     let bytes = film.bytes(Rounding::Nearest);
     let encoded = encoded(&bytes, [film.width(), film.height()], None);
     encoded.map_err(|error| cannot(&error.to_string()))
@@ -65,9 +65,9 @@ fn encoded(
     Ok(file)
 }
 
-fn cannot(error: &str) -> Refusal {
+fn cannot(error: &str) -> ValueError {
     let reason = format!("cannot keep a picture: {error}");
-    Refusal::new("image", reason, "choose a smaller picture")
+    ValueError::new("image", reason, "choose a smaller picture")
 }
 
 /// Errors in code values as a picture of a few colours.

@@ -5,12 +5,12 @@ use std::path::Path;
 use super::dial::best_of;
 use super::{Ladder, draw};
 use crate::film::{Film, Transfer};
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::measure::deviation::rmse;
 use crate::measure::{Appearance, Change, Deviation};
 use crate::render;
-use crate::scene::{Picture, Scene};
+use crate::scene::{RenderSettings, Scene};
 use serde::Serialize;
 
 /// The picture that all others are compared with.
@@ -46,17 +46,17 @@ impl Reference {
     ///
     /// # Errors
     /// Refuses what cannot be rendered.
-    pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, Refusal> {
+    pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, ValueError> {
         let most = ladder.0.iter().map(|rung| enough(rung.picture)).max();
         let half = f64::from(most.unwrap_or(FEWEST).max(FEWEST)) / 2.0;
         #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
         #[expect(clippy::cast_sign_loss, reason = "positive")]
         let side = half.sqrt().min(255.0) as u32;
         let counts = [side * side, (side + 1) * (side + 1)];
-        let best = best_of(scene.picture);
+        let best = best_of(scene.settings);
         let mut halves = Vec::new();
         for samples in counts {
-            let picture = Picture { samples, ..best };
+            let picture = RenderSettings { samples, ..best };
             halves.push(draw(scene, picture)?.0);
         }
         let [weight, other_weight] = counts.map(f64::from);
@@ -119,9 +119,9 @@ const FEWEST: u32 = 200;
 /// Of the rays that `max-error` adds where black borders on white, twice as many are enough: where there
 /// is less contrast, the rung has fewer rays, and the reference less error. There are no more for them
 /// than `max-error` may add to any pixel.
-fn enough(rung: Picture) -> u32 {
+fn enough(rung: RenderSettings) -> u32 {
     let adaptive = 2 * render::rays_at_a_border(&rung);
-    (6 * rung.samples).max(adaptive.min(Picture::MOST_ADAPTIVE))
+    (6 * rung.samples).max(adaptive.min(RenderSettings::MOST_ADAPTIVE))
 }
 
 /// The weighted mean of two pictures.
@@ -134,7 +134,7 @@ fn mixed(one: &Film, other: &Film, weight: f64) -> Film {
 }
 
 /// A picture as it is shown once it is written.
-pub(super) fn written(film: &Film, picture: Picture) -> Film {
+pub(super) fn written(film: &Film, picture: RenderSettings) -> Film {
     let mut written = film.clone();
     for pixel in written.pixels_mut() {
         let channels = pixel.channels();
@@ -152,8 +152,8 @@ mod tests {
 
     #[test]
     fn a_reference_is_better_than_what_samples_and_max_error_ask_for() {
-        let node = Node::new(&Picture::SCHEMA, None).value([4.0, 3.0]);
-        let base = Picture::from_node(&node).expect("a picture");
+        let node = Node::new(&RenderSettings::SCHEMA, None).value([4.0, 3.0]);
+        let base = RenderSettings::from_node(&node).expect("a picture");
         for (samples, max_error, expected) in [
             ("1", "0", 6),
             ("25", "0", 150),

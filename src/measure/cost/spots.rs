@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::language::Refusal;
+use crate::language::ValueError;
 use crate::plan::{Plan, Scope};
 use crate::render::{Arrival, Probe, RayKind, Tracer};
 use crate::scene::Scene;
@@ -84,10 +84,13 @@ impl Probe for Track {
 
 impl Spots {
     /// Looks at the middle of every pixel and at its neighbours.
-    pub(super) fn of(scene: &Scene) -> Result<Self, Refusal> {
+    pub(super) fn of(scene: &Scene) -> Result<Self, ValueError> {
         let plan = Plan::new(scene, None, Scope::CalledFor)?;
         let tracer = Tracer::new(&plan);
-        let (width, height) = (scene.picture.width as usize, scene.picture.height as usize);
+        let (width, height) = (
+            scene.settings.width as usize,
+            scene.settings.height as usize,
+        );
         let tracks: Vec<Track> = (0..width * height)
             .into_par_iter()
             .map(|at| {

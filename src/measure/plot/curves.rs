@@ -113,7 +113,7 @@ impl Figure {
                     svg.text("mark", "end", [left - 8.0, BOTTOM + 4.0], "none");
                 }
             }
-            self.band(&mut svg, &frame);
+            self.error_bounds(&mut svg, &frame);
             svg.text("key", "start", [left, TOP - 9.0], panel.title);
             let title = [left + wide, SIZE[1] - 9.0];
             svg.text("note", "end", title, panel.across.title);
@@ -127,7 +127,7 @@ impl Figure {
     }
 
     /// Draws the band of what means nothing.
-    fn band(&self, svg: &mut Svg, frame: &Frame) {
+    fn error_bounds(&self, svg: &mut Svg, frame: &Frame) {
         let Some((number, why)) = self.doubt else {
             return;
         };

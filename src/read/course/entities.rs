@@ -5,7 +5,7 @@ use crate::camera::View;
 use crate::language::{Range, Takes};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
-use crate::scene::Picture;
+use crate::scene::RenderSettings;
 use crate::surface::{
     Ellipsoid, FinitePlane, Plane, ProceduralPlane, Sphere, TexturePlane, TiledPlane, Triangle,
 };
@@ -66,7 +66,7 @@ const CAMERA: &[Word] = &[
     Word::new("pixeldim")
         .means("size")
         .role(Role::PictureSize)
-        .takes_a(match Picture::SCHEMA.value {
+        .takes_a(match RenderSettings::SCHEMA.value {
             Some(size) => size.takes,
             None => Takes::Nothing,
         }),

@@ -3,7 +3,7 @@
 use super::entity::Block;
 use crate::camera::View;
 use crate::language::Node;
-use crate::scene::{Lighting, Picture};
+use crate::scene::{Lighting, RenderSettings};
 
 /// The picture, the camera and the light's reach.
 ///
@@ -12,7 +12,7 @@ pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
     /// How far a ray can come.
     const REACH: f64 = 20.0;
     let given = |means| camera.and_then(|camera| camera.find(means));
-    let mut picture = Node::new(&Picture::SCHEMA, None)
+    let mut picture = Node::new(&RenderSettings::SCHEMA, None)
         .with_property("quantize", "truncate")
         .with_property("cut-off", 0.0);
     picture.value = given("size").and_then(|size| size.value.clone());

@@ -11,7 +11,7 @@ use super::{ExactFrame, Line};
 /// Surfaces are compared by these numbers when a scene is loaded: only here are 0.1 + 0.2 and 0.3 one
 /// place.
 #[derive(Debug, Clone)]
-pub struct Blueprint {
+pub struct ExactGeometry {
     /// A point of the plane.
     pub point: RationalVector,
     /// The normal, of any length.
@@ -33,7 +33,7 @@ pub struct Border {
     pub stretch: [RBig; 2],
 }
 
-impl Blueprint {
+impl ExactGeometry {
     /// A plane without end.
     #[must_use]
     pub fn plane(point: DVec3, normal: DVec3) -> Self {

@@ -6,7 +6,7 @@ use std::fmt;
 ///
 /// It names the attribute at fault, so that a reader can point at it in the scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refusal {
+pub struct ValueError {
     /// The word of the attribute at fault.
     pub word: &'static str,
     /// What is wrong, as a sentence without a full stop.
@@ -17,7 +17,7 @@ pub struct Refusal {
     pub expected: Option<String>,
 }
 
-impl Refusal {
+impl ValueError {
     /// A refusal of the attribute `word`.
     pub fn new(word: &'static str, reason: impl Into<String>, advice: impl Into<String>) -> Self {
         Self {
@@ -38,10 +38,10 @@ impl Refusal {
     }
 }
 
-impl fmt::Display for Refusal {
+impl fmt::Display for ValueError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{}: {}", self.word, self.reason)
     }
 }
 
-impl std::error::Error for Refusal {}
+impl std::error::Error for ValueError {}

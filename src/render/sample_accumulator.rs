@@ -29,7 +29,7 @@ pub(super) enum Found {
 
 /// What the rays of a pixel have brought.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tally {
+pub(super) struct SampleAccumulator {
     /// How many rays; a power of two, at least four, or one and a half times that.
     pub(super) count: u32,
     /// The sums of equally many rays that follow each other, which are spread evenly: four or six of
@@ -65,7 +65,7 @@ pub(super) struct Around {
 
 impl Around {
     /// What one pixel's rays have seen.
-    pub(super) fn of(tally: &Tally) -> Self {
+    pub(super) fn of(tally: &SampleAccumulator) -> Self {
         Self {
             range: tally.range,
             found: tally.found,
@@ -84,7 +84,7 @@ impl Around {
     }
 }
 
-impl Tally {
+impl SampleAccumulator {
     /// No rays.
     pub(super) const NOTHING: Self = Self {
         count: 0,

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::Surface;
 use crate::math::exact::{RationalVector, decimal};
-use crate::math::{Blueprint, Line};
+use crate::math::{ExactGeometry, Line};
 
 /// How far apart planes or lines may be and still be one, in units of the last place of the
 /// largest coordinate, where they are sums or products of the numbers in the file.
@@ -21,9 +21,9 @@ const ULPS: u8 = 8;
 
 /// A plane or a line that surfaces share.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Weld {
+pub struct Shared {
     /// What is shared.
-    pub what: Welded,
+    pub what: SharedKind,
     /// The surfaces by their places in the file.
     pub surfaces: Vec<usize>,
     /// How far apart they were at most in the file, in world units; 0 if its decimals agree.
@@ -32,7 +32,7 @@ pub struct Weld {
 
 /// What surfaces can share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Welded {
+pub enum SharedKind {
     /// The plane that they lie in.
     Plane,
     /// A line along which they meet from both sides.
@@ -62,10 +62,13 @@ struct Member {
 /// through the line meets exactly one of two neighbours, of four around a corner, of three at a
 /// T-junction. A border that is not beside neighbours all along stays with its surface, or rays would
 /// pass where it has none.
-pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
-    let blueprints: Vec<_> = surfaces.iter().map(|surface| surface.blueprint()).collect();
+pub fn share(surfaces: &mut [Box<dyn Surface>]) -> Vec<Shared> {
+    let exact_geometries: Vec<_> = surfaces
+        .iter()
+        .map(|surface| surface.exact_geometry())
+        .collect();
     let mut welds = Vec::new();
-    for plane in planes(&blueprints) {
+    for plane in planes(&exact_geometries) {
         let flats = plane
             .iter()
             .filter_map(|one| surfaces[one.surface].flat().copied());
@@ -73,17 +76,17 @@ pub fn weld(surfaces: &mut [Box<dyn Surface>]) -> Vec<Weld> {
             continue;
         };
         if plane.len() > 1 {
-            welds.push(Weld::of(Welded::Plane, &plane));
+            welds.push(Shared::of(SharedKind::Plane, &plane));
         }
         let fronts = plane.iter().map(|one| (one.surface, one.forward));
         let fronts: HashMap<usize, bool> = fronts.collect();
         let mut borders: HashMap<usize, Vec<Option<Line>>> = HashMap::new();
-        for line in lines(&plane, &blueprints) {
+        for line in lines(&plane, &exact_geometries) {
             let both_sides = line.iter().any(|member| member.forward != line[0].forward);
             if !both_sides {
                 continue;
             }
-            welds.push(Weld::of(Welded::Line, &line));
+            welds.push(Shared::of(SharedKind::Line, &line));
             let own = |member: &&Member| surfaces[member.surface].borders()[member.border];
             let by_numbers = |a: &&Member, b: &&Member| {
                 let (a, b) = (own(a), own(b));
@@ -123,40 +126,42 @@ fn order(a: &[DVec3; 2], b: &[DVec3; 2]) -> Ordering {
 }
 
 /// The surfaces in each plane, in file order; the planes too.
-fn planes(blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
+fn planes(exact_geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Member>> {
     let mut directions = Directions::default();
-    for (surface, blueprint) in blueprints.iter().enumerate() {
-        let Some(blueprint) = blueprint else { continue };
-        let (direction, turned) = blueprint.normal.canonical();
+    for (surface, exact_geometry) in exact_geometries.iter().enumerate() {
+        let Some(exact_geometry) = exact_geometry else {
+            continue;
+        };
+        let (direction, turned) = exact_geometry.normal.canonical();
         directions.put(direction, Member::new(surface, 0, !turned));
     }
     directions.grouped(|direction, members| {
         let (length, _) = direction.length();
         for member in members {
-            let Some(blueprint) = &blueprints[member.surface] else {
+            let Some(exact_geometry) = &exact_geometries[member.surface] else {
                 continue;
             };
-            member.position = direction.dot(&blueprint.point) / &length;
-            member.magnitude = blueprint.point.largest();
+            member.position = direction.dot(&exact_geometry.point) / &length;
+            member.magnitude = exact_geometry.point.largest();
             member.single = direction.is_along_an_axis();
         }
     })
 }
 
 /// The borders on each line of a plane, of surfaces on both sides of it or on one.
-fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>> {
+fn lines(plane: &[Member], exact_geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Member>> {
     let mut directions = Directions::default();
     let first = plane
         .first()
-        .and_then(|one| blueprints[one.surface].as_ref());
+        .and_then(|one| exact_geometries[one.surface].as_ref());
     let Some(first) = first.filter(|_| plane.len() > 1) else {
         return Vec::new();
     };
     for one in plane {
-        let Some(blueprint) = &blueprints[one.surface] else {
+        let Some(exact_geometry) = &exact_geometries[one.surface] else {
             continue;
         };
-        for (border, line) in blueprint.borders.iter().enumerate() {
+        for (border, line) in exact_geometry.borders.iter().enumerate() {
             let (direction, turned) = line.along.canonical();
             // Seen along the shared normal, the outer side is to the left of a border, and to the
             // right if its surface faces the other way or the shared direction is turned.
@@ -169,10 +174,10 @@ fn lines(plane: &[Member], blueprints: &[Option<Blueprint>]) -> Vec<Vec<Member>>
         let (outer, flipped) = normal.cross(direction).canonical();
         let [(length, _), (unit, _)] = [outer.length(), direction.length()];
         for member in members {
-            let Some(blueprint) = &blueprints[member.surface] else {
+            let Some(exact_geometry) = &exact_geometries[member.surface] else {
                 continue;
             };
-            let line = &blueprint.borders[member.border];
+            let line = &exact_geometry.borders[member.border];
             let outward = if member.forward == flipped { -1 } else { 1 };
             let across = &line.across * RBig::from(outward);
             member.position = outer.dot(&line.point) / &length + &across;
@@ -316,8 +321,8 @@ impl Member {
     }
 }
 
-impl Weld {
-    fn of(what: Welded, members: &[Member]) -> Self {
+impl Shared {
+    fn of(what: SharedKind, members: &[Member]) -> Self {
         let positions = || members.iter().map(|member| &member.position);
         let distance = match (positions().min(), positions().max()) {
             (Some(low), Some(high)) => (high - low).to_f64().value(),

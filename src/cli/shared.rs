@@ -6,26 +6,26 @@ use serde_json::{Value, json};
 
 use super::explanation::counted;
 use crate::scene::Scene;
-use crate::surface::{Weld, Welded};
+use crate::surface::{Shared, SharedKind};
 
 /// The shared planes and lines as JSON values.
 pub(super) fn as_json(scene: &Scene) -> Vec<Value> {
-    let one = |weld: &Weld| {
+    let one = |weld: &Shared| {
         json!({
             "what": word(weld),
             "surfaces": names(scene, weld),
             "apart": weld.distance,
         })
     };
-    scene.welds.iter().map(one).collect()
+    scene.shared.iter().map(one).collect()
 }
 
 /// How many planes and lines are shared, and which of them were moved to be so; all of them if
 /// asked for.
 pub(super) fn as_text(scene: &Scene, all: bool) -> String {
     let mut text = String::new();
-    let count = |what| scene.welds.iter().filter(|weld| weld.what == what).count();
-    let (planes, lines) = (count(Welded::Plane), count(Welded::Line));
+    let count = |what| scene.shared.iter().filter(|weld| weld.what == what).count();
+    let (planes, lines) = (count(SharedKind::Plane), count(SharedKind::Line));
     if planes + lines == 0 {
         return text;
     }
@@ -36,7 +36,7 @@ pub(super) fn as_text(scene: &Scene, all: bool) -> String {
         counted(planes, "plane"),
         counted(lines, "border line")
     );
-    for weld in &scene.welds {
+    for weld in &scene.shared {
         if !all && weld.distance == 0.0 {
             continue;
         }
@@ -49,15 +49,15 @@ pub(super) fn as_text(scene: &Scene, all: bool) -> String {
     text
 }
 
-fn word(weld: &Weld) -> &'static str {
+fn word(weld: &Shared) -> &'static str {
     match weld.what {
-        Welded::Plane => "plane",
-        Welded::Line => "line",
+        SharedKind::Plane => "plane",
+        SharedKind::Line => "line",
     }
 }
 
 /// The surfaces by name, or else by kind and place in the file.
-fn names(scene: &Scene, weld: &Weld) -> Vec<String> {
+fn names(scene: &Scene, weld: &Shared) -> Vec<String> {
     let name = |index: &usize| {
         let surface = &scene.surfaces[*index];
         let kind = surface.describe().word;

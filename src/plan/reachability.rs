@@ -3,17 +3,17 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::accel::{Sight, overhang};
+use crate::accel::{ScreenBounds, overhang};
 use crate::camera::Camera;
-use crate::math::band::APART;
+use crate::math::error_bounds::APART;
 use crate::math::{Bounds, Flat, Point, Side};
-use crate::scene::{Picture, Scene};
+use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
 
 /// How a ray can come to meet a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Seen {
+pub enum Reachability {
     /// From the eye.
     Directly,
     /// Sent on by mirrors or through surfaces, but not from the eye.
@@ -26,19 +26,23 @@ pub enum Seen {
 /// surface is taken for one that can be met.
 const MOST_PAIRS: usize = 1 << 20;
 
-impl Seen {
+impl Reachability {
     /// How rays can meet each surface of a scene: from the eye where the camera sees it, and from
     /// surfaces that send rays on. Without `sight` all are taken to be in sight.
     ///
     /// A flat surface mirrors rays to the side that they come from, and lets them through to the other
     /// one; what lies wholly on the side to which none go is not met by them. Something round
     /// sends rays anywhere.
-    pub(super) fn all(scene: &Scene, sight: Option<&Sight<'_>>, camera: &Camera) -> Vec<Self> {
+    pub(super) fn all(
+        scene: &Scene,
+        sight: Option<&ScreenBounds<'_>>,
+        camera: &Camera,
+    ) -> Vec<Self> {
         let count = scene.surfaces.len();
         let Some(sight) = sight else {
             return vec![Self::Directly; count];
         };
-        let Picture { width, height, .. } = scene.picture;
+        let RenderSettings { width, height, .. } = scene.settings;
         let in_sight = sight.seen([width, height], count);
         let mut seen: Vec<_> = in_sight
             .into_iter()
@@ -73,7 +77,7 @@ struct Spread<'s> {
     /// A box in which each surface is met; `None` if it has no end.
     boxes: Vec<Option<Bounds>>,
     /// How rays can meet each surface, as far as that is known yet.
-    seen: Vec<Seen>,
+    seen: Vec<Reachability>,
     /// Whether rays arrive at the front and at the back of each surface that sends them on.
     arrived: Vec<[bool; 2]>,
     /// The surfaces and sides that rays arrive at which have not been sent on yet.
@@ -81,7 +85,7 @@ struct Spread<'s> {
 }
 
 impl<'s> Spread<'s> {
-    fn new(scene: &'s Scene, seen: Vec<Seen>) -> Self {
+    fn new(scene: &'s Scene, seen: Vec<Reachability>) -> Self {
         let surfaces = &scene.surfaces[..];
         Self {
             surfaces,
@@ -97,7 +101,7 @@ impl<'s> Spread<'s> {
         for (index, surface) in self.surfaces.iter().enumerate() {
             for side in SIDES {
                 let is_here = surface.flat().is_none() || surface.side(eye) != other(side);
-                if self.seen[index] == Seen::Directly && is_here {
+                if self.seen[index] == Reachability::Directly && is_here {
                     self.arrive(index, side);
                 }
             }
@@ -114,8 +118,8 @@ impl<'s> Spread<'s> {
             if index == sender || !SIDES.into_iter().any(can_meet) {
                 continue;
             }
-            if self.seen[index] == Seen::Never {
-                self.seen[index] = Seen::SentOn;
+            if self.seen[index] == Reachability::Never {
+                self.seen[index] = Reachability::SentOn;
             }
             for side in SIDES {
                 let start = self.boxes[sender].as_ref();

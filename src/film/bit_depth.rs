@@ -5,7 +5,7 @@ use crate::language::words;
 
 /// What each channel of a pixel is kept in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Depth {
+pub enum BitDepth {
     /// A code value of 8 bits, as in the chapter.
     #[default]
     Eight,
@@ -15,13 +15,13 @@ pub enum Depth {
     Float,
 }
 
-words!(Depth {
+words!(BitDepth {
     Eight: "8",
     Sixteen: "16",
     Float: "float",
 });
 
-impl Depth {
+impl BitDepth {
     /// The largest code value; floats are none.
     #[must_use]
     pub fn largest(self) -> Option<u16> {
@@ -65,9 +65,9 @@ mod tests {
         };
         for transfer in Transfer::ALL {
             for (depth, most) in [
-                (Depth::Eight, 0.5 / 255.0),
-                (Depth::Sixteen, 0.5 / 65_535.0),
-                (Depth::Float, 1e-7),
+                (BitDepth::Eight, 0.5 / 255.0),
+                (BitDepth::Sixteen, 0.5 / 65_535.0),
+                (BitDepth::Float, 1e-7),
             ] {
                 let encoding = encoding(transfer);
                 let off = (0..=1000).map(|step| {
@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn only_floats_keep_what_is_brighter_than_white() {
-        let kept = Depth::ALL.map(|depth| depth.kept(2.5, Encoding::default()));
+        let kept = BitDepth::ALL.map(|depth| depth.kept(2.5, Encoding::default()));
         assert_eq!(kept, [255.0, 65_535.0, 2.5]);
     }
 }

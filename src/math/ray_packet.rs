@@ -7,7 +7,7 @@ use super::{Flat, Ray};
 /// Rays from a point in free space whose directions lie on a straight line between two, before they
 /// are made unit.
 #[derive(Debug, Clone, Copy)]
-pub struct Fan {
+pub struct RayPacket {
     /// One of them, in any direction.
     pub ray: Ray<'static>,
     /// The outermost directions, not made unit.
@@ -56,7 +56,7 @@ impl Flat {
     /// values, neither of which changes its sign; so it is monotone along the fan, and lies between its
     /// values at the ends, too.
     #[must_use]
-    pub fn crossings(&self, fan: &Fan, screen: Option<&Self>) -> Crossings {
+    pub fn crossings(&self, fan: &RayPacket, screen: Option<&Self>) -> Crossings {
         let height = -self.normal.dot(fan.ray.origin.from(self.point));
         let is_clear = height.abs() > CLEARLY * (self.doubt + fan.ray.doubt);
         let slopes = fan.ends.map(|way| self.normal.dot(way));
@@ -135,7 +135,7 @@ mod tests {
             let screen = Flat::with_unit_normal(vector(1.0), DVec3::Z);
             let screen = (round % 2 == 0).then_some(&screen);
             let way = |share: f64| first + across * share;
-            let fan = Fan {
+            let fan = RayPacket {
                 ray: Ray::new(eye, DVec3::Z),
                 ends: [way(0.0), way(1.0)],
                 size: first.abs().element_sum() + across.abs().element_sum(),
@@ -180,7 +180,7 @@ mod tests {
         };
         // Seen from both ends the wall is beyond the screen, and in between it is not.
         assert_eq!([0.0, 0.4, 1.0].map(counts), [true, false, true]);
-        let fan = Fan {
+        let fan = RayPacket {
             ray: Ray::new(eye, DVec3::Z),
             ends: [way(0.0), way(1.0)],
             size: 5.0,

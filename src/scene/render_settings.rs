@@ -2,16 +2,16 @@
 
 use super::Setting;
 use crate::camera::Pattern;
-use crate::film::{Depth, Encoding, Rounding, Transfer};
+use crate::film::{BitDepth, Encoding, Rounding, Transfer};
 use crate::language::{
-    Attribute, Default, Location, Naming, Node, Range, Refusal, Schema, Takes, Value,
+    Attribute, Default, Location, Naming, Node, Range, Schema, Takes, Value, ValueError,
 };
 use crate::math::Numerics;
 use crate::texture::Filter;
 
 /// What the scene says about its picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Picture {
+pub struct RenderSettings {
     /// Width in pixels; at least 1.
     pub width: u32,
     /// Height in pixels; at least 1.
@@ -26,7 +26,7 @@ pub struct Picture {
     /// The curve from intensities to the values that are rounded to code values.
     pub transfer: Transfer,
     /// What its numbers are kept in.
-    pub depth: Depth,
+    pub depth: BitDepth,
     /// How values are rounded to code values.
     pub rounding: Rounding,
     /// How much a pixel may lack because mirrored and transmitted rays are not followed for ever,
@@ -40,7 +40,7 @@ pub struct Picture {
     pub place: Option<Location>,
 }
 
-impl Picture {
+impl RenderSettings {
     /// The longest side in pixels.
     pub const LONGEST_SIDE: u32 = 32_768;
     /// The most pixels; they take 24 bytes each while the picture is made.
@@ -98,12 +98,12 @@ impl Picture {
             .or(Default::Word(Transfer::None.word())),
             Attribute::new(
                 "depth",
-                Takes::Word(&Depth::WORDS),
+                Takes::Word(&BitDepth::WORDS),
                 "what the picture's numbers are kept in: code values of 8 or of 16 bits, or 32-bit \
                  floats, which are intensities; it chooses between formats as far as neither the \
                  output's name nor `--format` does",
             )
-            .or(Default::Word(Depth::Eight.word())),
+            .or(Default::Word(BitDepth::Eight.word())),
             Attribute::new(
                 "quantize",
                 Takes::Word(&Rounding::WORDS),
@@ -137,7 +137,7 @@ impl Picture {
     ///
     /// # Errors
     /// Refuses a side of no pixels, a side too long, and too many pixels.
-    pub fn check_size([width, height]: [u32; 2]) -> Result<(), Refusal> {
+    pub fn check_size([width, height]: [u32; 2]) -> Result<(), ValueError> {
         let sides = 1..=Self::LONGEST_SIDE;
         let reason = if !(sides.contains(&width) && sides.contains(&height)) {
             format!("width and height must be from 1 to {}", Self::LONGEST_SIDE)
@@ -149,14 +149,14 @@ impl Picture {
         } else {
             return Ok(());
         };
-        Err(Refusal::new("image", reason, "choose a smaller picture"))
+        Err(ValueError::new("image", reason, "choose a smaller picture"))
     }
 
     /// Whether the settings make sense together.
     ///
     /// # Errors
     /// Refuses several rays through one place, and a pattern that cannot go on as long as it takes.
-    pub fn check(&self) -> Result<(), Refusal> {
+    pub fn check(&self) -> Result<(), ValueError> {
         let Self {
             samples,
             pattern,
@@ -168,13 +168,13 @@ impl Picture {
             let reason = format!("with `max-error` rays are added, which {word:?} cannot do");
             let advice = "ask for `pattern=\"sobol\"`, or for no `max-error`";
             let expected = "expected \"sobol\", or no pattern, with `max-error`";
-            return Err(Refusal::new("pattern", reason, advice).expected(expected));
+            return Err(ValueError::new("pattern", reason, advice).expected(expected));
         }
         if *pattern == Pattern::Center && *samples > 1 {
             let reason = format!("{samples} rays through the centre of a pixel are the same ray");
             let advice = "ask for `samples=1`, or for another pattern, such as `grid`";
             let expected = "expected one ray with `pattern=\"center\"`";
-            return Err(Refusal::new("pattern", reason, advice).expected(expected));
+            return Err(ValueError::new("pattern", reason, advice).expected(expected));
         }
         Ok(())
     }
@@ -183,7 +183,7 @@ impl Picture {
     ///
     /// # Errors
     /// Refuses a picture that is too large.
-    pub fn from_node(node: &Node) -> Result<Self, Refusal> {
+    pub fn from_node(node: &Node) -> Result<Self, ValueError> {
         let size = node.value.as_ref().map_or(glam::DVec2::ONE, Value::pair);
         let (width, height) = (whole(size.x), whole(size.y));
         Self::check_size([width, height])?;
@@ -235,7 +235,7 @@ impl Picture {
             pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
             max_error: number("max-error"),
             transfer: Transfer::from_word(word("transfer").text()).unwrap_or_default(),
-            depth: Depth::from_word(word("depth").text()).unwrap_or_default(),
+            depth: BitDepth::from_word(word("depth").text()).unwrap_or_default(),
             rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
             cut_off: number("cut-off"),
             numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),

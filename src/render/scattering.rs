@@ -1,10 +1,10 @@
 //! How a ray goes on where it meets a surface, and how right it is then.
 
-use crate::math::band::UNIT;
+use crate::math::error_bounds::UNIT;
 
 /// How a ray goes on where it meets a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turn {
+pub enum Scattering {
     /// In its own direction, bit for bit.
     Straight,
     /// Mirrored.
@@ -14,7 +14,7 @@ pub enum Turn {
     Bent(f64),
 }
 
-impl Turn {
+impl Scattering {
     /// How far a ray may be beside its way and by how much its direction may be wrong behind a surface,
     /// from the same two before it.
     ///
@@ -104,17 +104,17 @@ mod tests {
         (0..157).map(|hundredth| f64::from(hundredth) / 100.0)
     }
 
-    fn turned(dir: DVec3, normal: DVec3, turn: Turn) -> Option<DVec3> {
+    fn turned(dir: DVec3, normal: DVec3, turn: Scattering) -> Option<DVec3> {
         match turn {
-            Turn::Straight => Some(dir),
-            Turn::Mirrored => Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal)),
-            Turn::Bent(ratio) => Refraction::new(dir, normal, ratio, 1.0).bent,
+            Scattering::Straight => Some(dir),
+            Scattering::Mirrored => Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal)),
+            Scattering::Bent(ratio) => Refraction::new(dir, normal, ratio, 1.0).bent,
         }
     }
 
     /// The largest angle by which a ray is off when its direction and the normal are off by these in
     /// any way; `None` if there is no ray then.
-    fn largest(angle: f64, turn: Turn, off: f64, tilt: f64) -> Option<f64> {
+    fn largest(angle: f64, turn: Scattering, off: f64, tilt: f64) -> Option<f64> {
         let dir = falling(angle);
         let across = [direction(dir.cross(DVec3::Z)), DVec3::Z];
         let expected = turned(dir, DVec3::Y, turn)?;
@@ -136,9 +136,9 @@ mod tests {
     fn what_is_off_before_a_surface_is_off_behind_it_by_no_more_than_said() {
         let mut compared = 0;
         let turns = RATIOS
-            .map(Turn::Bent)
+            .map(Scattering::Bent)
             .into_iter()
-            .chain([Turn::Mirrored, Turn::Straight]);
+            .chain([Scattering::Mirrored, Scattering::Straight]);
         for turn in turns {
             for angle in angles() {
                 for (off, tilt) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, 1e-6), (1e-6, 1e-9)] {
@@ -151,7 +151,7 @@ mod tests {
                         found <= said * (1.0 + 1e-5) + 1e-15,
                         "{found} {said} {turn:?} {angle}"
                     );
-                    if let Turn::Bent(ratio) = turn
+                    if let Scattering::Bent(ratio) = turn
                         && ratio * libm::sin(angle) > 0.999
                     {
                         continue;
@@ -172,15 +172,15 @@ mod tests {
         let critical = libm::asin(1.0 / 1.5);
         let near = |below: f64, beside: f64, tilt: f64, direction: f64| {
             let cosine = libm::cos(critical - below);
-            Turn::Bent(1.5).behind([beside, direction], tilt, cosine)
+            Scattering::Bent(1.5).behind([beside, direction], tilt, cosine)
         };
         assert!(near(1e-9, 0.0, 0.0, 0.0)[1] < 1e-9);
         assert!(near(1e-9, 0.0, 0.0, 1e-8)[1].is_infinite());
         let turns = [
-            Turn::Mirrored,
-            Turn::Bent(1.5),
-            Turn::Bent(0.5),
-            Turn::Straight,
+            Scattering::Mirrored,
+            Scattering::Bent(1.5),
+            Scattering::Bent(0.5),
+            Scattering::Straight,
         ];
         for off in [0.0, 1e-300, 1e-9, 1.0, 1e300, f64::INFINITY] {
             for below in [0.0, 1e-16, 1e-12, 0.1, critical] {
@@ -240,7 +240,7 @@ mod tests {
                         [0, 1, 2].map(|axis| (big(bent[axis]) - &exact[axis]).to_f64().value());
                     let apart = DVec3::from(apart).length();
                     let cosine = dir.dot(normal).abs().min(1.0);
-                    let [_, said] = Turn::Bent(ratio).behind([0.0; 2], 0.0, cosine);
+                    let [_, said] = Scattering::Bent(ratio).behind([0.0; 2], 0.0, cosine);
                     assert!(apart <= said, "{apart} {said}");
                     most = most.max(apart);
                     least_said = least_said.min(said);
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn what_slides_along_a_surface_leaves_beside_its_way() {
-        for (angle, turn) in angles().zip(RATIOS.map(Turn::Bent).into_iter().cycle()) {
+        for (angle, turn) in angles().zip(RATIOS.map(Scattering::Bent).into_iter().cycle()) {
             let (dir, beside) = (falling(angle), 1e-3);
             let Some(bent) = turned(dir, DVec3::Y, turn) else {
                 continue;

@@ -10,7 +10,7 @@ use crate::math::Rgb;
 /// A picture in the numbers of a file format. They take less room than those of a [`Film`], so what
 /// is drawn only to be written need not be kept in full.
 #[derive(Debug)]
-pub struct Print {
+pub struct EncodedImage {
     /// The width in pixels.
     pub(super) width: usize,
     /// The height in pixels.
@@ -26,14 +26,14 @@ pub struct Print {
 
 /// A row of a print.
 #[derive(Debug)]
-pub struct PrintRow<'a> {
+pub struct EncodedRow<'a> {
     format: Format,
     encoding: Encoding,
     bytes: &'a mut [u8],
     odd: &'a mut Vec<usize>,
 }
 
-impl Print {
+impl EncodedImage {
     /// A picture of this width and height, black in every format; `None` if there is no memory for
     /// it.
     #[must_use]
@@ -54,7 +54,7 @@ impl Print {
         let mut print = Self::new([film.width(), film.height()], format, encoding)?;
         let rows = film.pixels().par_chunks(film.width());
         print.rows().zip(rows).for_each(|(mut row, colors)| {
-            row.expose(colors);
+            row.encode_row(colors);
         });
         Some(print)
     }
@@ -66,10 +66,10 @@ impl Print {
     }
 
     /// The rows from the top.
-    pub fn rows(&mut self) -> impl IndexedParallelIterator<Item = PrintRow<'_>> {
+    pub fn rows(&mut self) -> impl IndexedParallelIterator<Item = EncodedRow<'_>> {
         let (format, encoding) = (self.format, self.encoding);
         let rows = self.bytes.par_chunks_mut(self.width * format.pixel_size());
-        rows.zip(&mut self.odd).map(move |(bytes, odd)| PrintRow {
+        rows.zip(&mut self.odd).map(move |(bytes, odd)| EncodedRow {
             format,
             encoding,
             bytes,
@@ -97,9 +97,9 @@ impl Print {
     }
 }
 
-impl PrintRow<'_> {
+impl EncodedRow<'_> {
     /// Gives the row's pixels these colours, from the left.
-    pub fn expose(&mut self, colors: &[Rgb]) {
+    pub fn encode_row(&mut self, colors: &[Rgb]) {
         let colored = colors.iter().enumerate();
         let odd = colored.filter(|(_, color)| !color.is_finite());
         self.odd.extend(odd.map(|(column, _)| column));

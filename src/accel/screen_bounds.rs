@@ -1,7 +1,7 @@
 //! Which surfaces the eye can see where.
 
 use super::{Entry, SurfaceList, nearest, overhang};
-use crate::camera::{Camera, Stretch, Window};
+use crate::camera::{Camera, PixelSpan, RasterRect};
 use crate::math::{Limits, Ray};
 use crate::surface::Hit;
 
@@ -9,8 +9,8 @@ use crate::surface::Hit;
 ///
 /// A ray that passes outside of that part misses the surface for certain, so it need not be asked.
 #[derive(Debug)]
-pub struct Sight<'a> {
-    seen: Vec<(Window, Entry<'a>)>,
+pub struct ScreenBounds<'a> {
+    seen: Vec<(RasterRect, Entry<'a>)>,
 }
 
 /// What rays from the eye through a stretch of the picture can meet.
@@ -24,7 +24,7 @@ pub enum Ahead<'s, 'a> {
     Several,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> ScreenBounds<'a> {
     /// What a camera sees of these surfaces.
     #[must_use]
     pub fn new(surfaces: &SurfaceList<'a>, camera: &Camera) -> Self {
@@ -35,7 +35,7 @@ impl<'a> Sight<'a> {
             }
             match entry.surface.bounds() {
                 Some(bounds) => camera.window(bounds.corners(), 0.0),
-                None => Some(Window::EVERYWHERE),
+                None => Some(RasterRect::EVERYWHERE),
             }
         };
         let seen = surfaces
@@ -59,7 +59,7 @@ impl<'a> Sight<'a> {
 
     /// What rays from the eye through a stretch of the picture can meet.
     #[must_use]
-    pub fn along(&self, stretch: &Stretch<'_>) -> Ahead<'_, 'a> {
+    pub fn along(&self, stretch: &PixelSpan<'_>) -> Ahead<'_, 'a> {
         let mut here = self
             .seen
             .iter()

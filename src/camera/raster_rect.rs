@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{Camera, Stretch};
+use super::{Camera, PixelSpan};
 use crate::math::UNIT;
 
 /// A part of a picture, in pixels from the centre of the lower-left one: nothing outside of it can
 /// show what it was made for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Window {
+pub struct RasterRect {
     low: [f64; 2],
     high: [f64; 2],
 }
 
-impl Window {
+impl RasterRect {
     /// The whole picture and beyond.
     pub const EVERYWHERE: Self = Self {
         low: [f64::MIN; 2],
@@ -30,14 +30,14 @@ impl Window {
 
     /// Whether some place of a stretch lies inside.
     #[must_use]
-    pub fn meets_stretch(&self, stretch: &Stretch<'_>) -> bool {
+    pub fn meets_stretch(&self, stretch: &PixelSpan<'_>) -> bool {
         let (y, [first, last]) = (stretch.row.y, stretch.ends());
         y >= self.low[1] && y <= self.high[1] && first <= self.high[0] && last >= self.low[0]
     }
 
     /// Whether all places of a stretch lie inside.
     #[must_use]
-    pub fn holds_stretch(&self, stretch: &Stretch<'_>) -> bool {
+    pub fn holds_stretch(&self, stretch: &PixelSpan<'_>) -> bool {
         let mut ends = stretch.ends().into_iter();
         ends.all(|x| self.contains(x, stretch.row.y))
     }
@@ -55,12 +55,16 @@ impl Camera {
     /// so much: their images and a pixel more on every side, which is far more than rounding can move them.
     /// `None` if all of them are behind the eye.
     #[must_use]
-    pub fn window(&self, points: impl IntoIterator<Item = DVec3>, astray: f64) -> Option<Window> {
+    pub fn window(
+        &self,
+        points: impl IntoIterator<Item = DVec3>,
+        astray: f64,
+    ) -> Option<RasterRect> {
         // The window's plane: at depth 1 its lower-left corner is where the camera says.
         let normal = self.right.cross(self.up);
         let unit_depth = self.lower_left.dot(normal);
         let (mut behind, mut before) = (true, true);
-        let mut window = Window {
+        let mut window = RasterRect {
             low: [f64::MAX; 2],
             high: [f64::MIN; 2],
         };
@@ -71,7 +75,7 @@ impl Camera {
             let size = (point.abs() + self.viewpoint.abs()).element_sum() + way.length();
             let blur = (64.0 * UNIT * size + astray) * self.stretch() / depth.abs();
             if blur.is_nan() || blur > 0.25 {
-                return Some(Window::EVERYWHERE);
+                return Some(RasterRect::EVERYWHERE);
             }
             behind &= depth < 0.0;
             before &= depth > 0.0;
@@ -88,7 +92,7 @@ impl Camera {
         } else if before {
             Some(window)
         } else {
-            Some(Window::EVERYWHERE)
+            Some(RasterRect::EVERYWHERE)
         }
     }
 

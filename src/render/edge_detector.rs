@@ -9,7 +9,7 @@ use crate::surface::{Hit, Surface};
 
 /// Notes how far rays from the eye go before they meet something, and whether they all find the same.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Watch<'a> {
+pub(super) struct EdgeDetector<'a> {
     camera: &'a Camera,
     scene: &'a Scene,
     /// The largest depth so far at which one has met something.
@@ -30,7 +30,7 @@ pub(super) struct Watch<'a> {
     answers: bool,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> EdgeDetector<'a> {
     /// Of no ray yet.
     pub(super) fn new(plan: &'a Plan<'a>) -> Self {
         Self {
@@ -80,7 +80,7 @@ impl<'a> Watch<'a> {
     }
 }
 
-impl Probe for Watch<'_> {
+impl Probe for EdgeDetector<'_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
         match kind {
             RayKind::Camera => {
