@@ -1,45 +1,45 @@
-//! What a light lights, and what stands in its way.
+//! Surfaces that a light reaches, and those that can block it.
 
 use serde::Serialize;
 
-use super::Thing;
+use super::scene_item::SceneItem;
 use crate::accel::MOST_LISTS;
 use crate::math::{Point, Side};
 use crate::plan::{Cause, Plan, Unlit};
 use crate::surface::Surface;
 
-/// What a light or a lamp does.
+/// Surfaces that a light or lamp reaches, and those that can block it.
 #[derive(Debug, Clone, Serialize)]
-pub struct LightRow {
+pub(crate) struct LightRow {
     /// The light, or the lamp.
-    pub light: Thing,
+    pub(crate) light: SceneItem,
     /// Whether it is a lamp.
-    pub is_lamp: bool,
-    /// How many surfaces it may light.
-    pub lights: usize,
-    /// The others, by their places in the file, from 0, and why not.
-    pub unlit: Vec<(usize, Unlit)>,
-    /// What can cast a shadow, and on which of the surfaces; `None` if there are more than
-    /// [`MOST_LISTS`], so that it is not worked out.
-    pub casters: Option<Vec<(usize, Vec<usize>)>>,
-    /// What casts none, and why; `None` as before.
-    pub casts_nothing: Option<Vec<(usize, NoShadow)>>,
+    pub(crate) is_lamp: bool,
+    /// Number of surfaces that it may light.
+    pub(crate) lights: usize,
+    /// The others by their places in the file, from 0, with the reason.
+    pub(crate) unlit: Vec<(usize, Unlit)>,
+    /// Surfaces that can cast a shadow, and on which; `None` if there are more than [`MOST_LISTS`]
+    /// surfaces.
+    pub(crate) casters: Option<Vec<(usize, Vec<usize>)>>,
+    /// Surfaces that cast none, with the reason; `None` likewise.
+    pub(crate) casts_nothing: Option<Vec<(usize, NoShadow)>>,
 }
 
-/// Why a surface casts no shadow in the light of a light.
+/// Reason why a surface casts no shadow in a light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum NoShadow {
+pub(crate) enum NoShadow {
     /// The scene says so.
     Told,
-    /// All that the light lights is on the light's own side of it.
+    /// All surfaces that the light reaches are on the light's side of it.
     NothingBehind,
-    /// Its shadow falls beside all that the light lights.
+    /// Its shadow falls beside all surfaces that the light reaches.
     FallsBeside,
 }
 
 impl LightRow {
-    /// The rows of all lights of a scene in file order, and after them of all its lamps.
+    /// Rows of all lights in file order, then of all lamps.
     pub(super) fn all(plan: &Plan<'_>) -> Vec<Self> {
         let lights = (0..plan.light_views.len()).map(|light| Self::of_light(plan, light));
         let lamps = (0..plan.lamp_views.len()).map(|lamp| Self::of_lamp(plan, lamp));
@@ -68,7 +68,7 @@ impl LightRow {
             |receiver| view.casters_of(receiver),
             |caster| view.side_of(caster),
         );
-        // That a lamp does not hide itself need not be told.
+        // That a lamp does not hide itself needs no mention.
         let is_other = |index: usize| {
             let lamp = plan.scene.surfaces[index].lamp();
             !lamp.is_some_and(|lamp| std::ptr::eq(lamp, view.lamp))
@@ -82,7 +82,7 @@ impl LightRow {
     fn new(plan: &Plan<'_>, cause: &Cause, unlit: &[Option<Unlit>]) -> Self {
         let reasons = unlit.iter().enumerate();
         Self {
-            light: Thing::of(cause, &plan.scene.sources),
+            light: SceneItem::of(cause, &plan.scene.sources),
             is_lamp: false,
             lights: unlit.iter().filter(|why| why.is_none()).count(),
             unlit: reasons
@@ -93,8 +93,8 @@ impl LightRow {
         }
     }
 
-    /// Adds what can cast a shadow and what cannot, if that was worked out; `side_of` is the side of a surface that the light
-    /// is on, if all of it is on one.
+    /// Adds the surfaces that can cast a shadow and those that cannot, unless there are too many;
+    /// `side_of` is the side of a surface that the light is on, if all of it is on one.
     fn tell_casters(
         &mut self,
         plan: &Plan<'_>,
@@ -125,7 +125,7 @@ impl LightRow {
         (self.casters, self.casts_nothing) = (Some(casters), Some(casts_nothing));
     }
 
-    /// Why a surface casts no shadow, if it does not.
+    /// Reason why a surface casts no shadow.
     fn no_shadow(
         &self,
         surfaces: &[Box<dyn Surface>],

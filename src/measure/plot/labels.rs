@@ -1,44 +1,41 @@
-//! Labels that hide neither dots nor each other.
+//! Places for labels that cover neither dots nor each other.
 
-/// The width of a letter and the height of a line of a label.
+/// Width of a letter and height of a label.
 const LETTER: [f64; 2] = [7.3, 12.0];
 
-/// From the middle of a dot to the nearest side of its label.
+/// Distance of a label from the middle of its dot.
 const GAP: f64 = 8.0;
 
-/// Between labels side by side, so that they are not read as one.
+/// Room between labels side by side, so that they are not read as one.
 const SPACE: f64 = 5.0;
 
-/// Finds room for labels.
+/// Areas of a drawing that are taken.
 #[derive(Debug)]
-pub(in crate::measure) struct Labels {
-    /// What they have to stay in.
+pub(super) struct Labels {
     bounds: Area,
-    /// What dots and labels cover already.
     taken: Vec<Area>,
 }
 
-/// A rectangle: its lower and upper ends along both axes.
+/// A rectangle: lower and upper ends along both axes.
 #[derive(Debug, Clone, Copy)]
 struct Area([[f64; 2]; 2]);
 
 impl Labels {
-    /// Labels in a part of a drawing, given by two corners.
-    pub(in crate::measure) fn within(low: [f64; 2], high: [f64; 2]) -> Self {
+    /// Labels within a rectangle with these corners.
+    pub(super) fn within(low: [f64; 2], high: [f64; 2]) -> Self {
         Self {
             bounds: Area([[low[0], high[0]], [low[1], high[1]]]),
             taken: Vec::new(),
         }
     }
 
-    /// Keeps them off what reaches so far from a place.
-    pub(in crate::measure) fn avoid(&mut self, place: [f64; 2], reach: [f64; 2]) {
+    /// Keeps labels off a rectangle around a place, with these half sides.
+    pub(super) fn avoid(&mut self, place: [f64; 2], reach: [f64; 2]) {
         self.taken.push(Area::around(place, reach));
     }
 
-    /// The middle of the base line of a label for a dot, as close to it as there is room; `None` if
-    /// there is none.
-    pub(in crate::measure) fn beside(&mut self, [x, y]: [f64; 2], text: &str) -> Option<[f64; 2]> {
+    /// Middle of the base line of a label close to a dot; `None` if there is no room.
+    pub(super) fn beside(&mut self, [x, y]: [f64; 2], text: &str) -> Option<[f64; 2]> {
         #[expect(clippy::cast_precision_loss, reason = "a few letters")]
         let half = [
             LETTER[0] * text.chars().count() as f64 / 2.0,
@@ -82,8 +79,8 @@ impl Area {
     }
 }
 
-/// Moves places on an axis apart until they are this far from each other, none further than it has to
-/// be, and all in a range if they fit.
+/// Moves places on an axis until they are `apart` from each other, as little as possible, and within
+/// a range if they fit.
 pub(super) fn spread(places: &mut [f64], apart: f64, [low, high]: [f64; 2]) {
     let mut order: Vec<_> = (0..places.len()).collect();
     order.sort_by(|one, other| places[*one].total_cmp(&places[*other]));
