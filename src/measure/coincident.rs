@@ -17,7 +17,7 @@ const SHARED_TOLERANCE: f64 = 1e-9;
 pub(super) struct Coincidence {
     pub(super) earlier: usize,
     pub(super) later: usize,
-    /// Whether they share one carrier; otherwise their planes are equal but for rounding.
+    /// True if they share one carrier; otherwise their planes are equal but for rounding.
     pub(super) is_exact: bool,
 }
 

@@ -31,7 +31,7 @@ pub(crate) struct Explanation {
     pub(crate) work: Work,
 }
 
-/// Whether an effect is simulated.
+/// An effect and its cost.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct EffectRow {
     pub(crate) effect: Effect,
@@ -48,7 +48,7 @@ pub(crate) struct EffectRow {
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct SurfaceRow {
     pub(crate) surface: SceneItem,
-    /// How rays can reach it.
+    /// Rays that can reach it.
     pub(crate) seen: Reachability,
 }
 

@@ -13,7 +13,7 @@ use crate::surface::Surface;
 pub(crate) struct LightRow {
     /// The light, or the lamp.
     pub(crate) light: SceneItem,
-    /// Whether it is a lamp.
+    /// True if it is a lamp.
     pub(crate) is_lamp: bool,
     /// Number of surfaces that it may light.
     pub(crate) lights: usize,

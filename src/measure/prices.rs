@@ -83,11 +83,15 @@ pub fn prices(
     let on = effects_of(scene)?;
     let lesser = on.iter().map(|effect| without(scene, *effect));
     let lesser = lesser.collect::<Result<Vec<_>, _>>()?;
-    let mut subjects = vec![
-        Subject::new(scene, Scope::CalledFor),
-        Subject::new(scene, Scope::Everything),
-    ];
-    let subject = |scene| Subject::new(scene, Scope::CalledFor);
+    let subject = |scene| Subject {
+        scene,
+        scope: Scope::CalledFor,
+        seconds: Vec::new(),
+        counts: Counts::default(),
+        change: Change::default(),
+    };
+    let mut subjects = vec![subject(scene), subject(scene)];
+    subjects[1].scope = Scope::Everything;
     subjects.extend(lesser.iter().map(subject));
     let runs = runs.max(1);
     let all = runs as usize * subjects.len();
@@ -144,17 +148,7 @@ struct Subject<'a> {
     change: Change,
 }
 
-impl<'a> Subject<'a> {
-    fn new(scene: &'a Scene, scope: Scope) -> Self {
-        Self {
-            scene,
-            scope,
-            seconds: Vec::new(),
-            counts: Counts::default(),
-            change: Change::default(),
-        }
-    }
-
+impl Subject<'_> {
     /// Renders it once more and compares it with the shown picture of the whole scene, whose hash
     /// before that is `hash`.
     fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), ValueError> {

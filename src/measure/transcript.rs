@@ -51,7 +51,7 @@ pub(crate) struct HitReport {
     pub(crate) place: [f64; 3],
     /// Colour of the texture there; white without one.
     pub(crate) texel: [f64; 3],
-    /// Whether the surface is a lamp.
+    /// True if the surface is a lamp.
     pub(crate) glows: bool,
 }
 
@@ -59,7 +59,7 @@ pub(crate) struct HitReport {
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct LightReport {
     pub(crate) light: SceneItem,
-    /// Whether and why its light arrives, in words.
+    /// Arrival or its obstacle in words.
     pub(crate) what: String,
     /// Light that arrives, of a light before angle and distance; `None` if nothing does.
     pub(crate) arrives: Option<[f64; 3]>,
@@ -233,7 +233,7 @@ impl Probe for Listener<'_, '_> {
     }
 }
 
-/// Whether and why a light arrives, in words.
+/// Arrival of a light or its obstacle, in words.
 fn what(arrival: Arrival, rays: u64) -> String {
     let what = match arrival {
         Arrival::Unplanned => "cannot light this surface",

@@ -23,7 +23,7 @@ struct Metric {
     /// Title, with the sign between it and a limit.
     title: &'static str,
     of: fn(&Deviation) -> f64,
-    /// Whether more is better.
+    /// True if more is better.
     is_quality: bool,
 }
 

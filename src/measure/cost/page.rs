@@ -9,7 +9,6 @@ use super::measurement::Measurement;
 use super::pictures;
 use super::plot::hue;
 use super::run::Cost;
-use super::words::{ERROR_AND_TIME, PLACES};
 use crate::language::ValueError;
 use crate::measure::Timing;
 use crate::measure::plot::{STYLE, color_class, escaped};
@@ -35,10 +34,7 @@ impl Cost {
                 let choices = choices.iter().map(|(title, best)| self.choice(title, best));
                 self.choice("recommended", &self.recommended) + &choices.collect::<String>()
             }
-            "laws" => self.law_words().iter().map(sentence).collect(),
-            "laws-title" => ERROR_AND_TIME.to_owned(),
-            "places" => self.place_words().iter().map(sentence).collect(),
-            "places-title" => PLACES.to_owned(),
+            "sections" => self.sections().map(section).collect(),
             "style" => STYLE.to_owned(),
             "wide" => self.scatter().element("wide", [1000.0, 520.0]),
             "narrow" => self.scatter().element("narrow", [390.0, 470.0]),
@@ -101,8 +97,14 @@ impl Cost {
     }
 }
 
+/// A title and a list of sentences.
+fn section((title, lines): (&str, Vec<String>)) -> String {
+    let lines: String = lines.iter().map(|line| sentence(line)).collect();
+    format!("<p>{title}</p>\n<ul>\n{lines}</ul>\n")
+}
+
 /// A sentence with the setting at its start set apart.
-fn sentence(words: &String) -> String {
+fn sentence(words: &str) -> String {
     let (about, rest) = words.split_once(": ").unwrap_or(("", words));
     let [about, rest] = [about, rest].map(unbroken);
     format!("<li><b>{about}</b> <span>{rest}</span></li>\n")
@@ -192,7 +194,7 @@ mod tests {
             ),
         ] {
             let expected = format!("<li><b>{about}</b> <span>{rest}</span></li>\n");
-            assert_eq!(sentence(&words.to_owned()), expected);
+            assert_eq!(sentence(words), expected);
         }
     }
 }

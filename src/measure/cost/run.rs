@@ -45,7 +45,7 @@ pub struct CostOptions {
     pub reference: Option<Reference>,
     /// Most runs of a step, at least one; fewer if its times agree within 2 %.
     pub runs: u32,
-    /// Whether to keep the pictures of all steps for [`Cost::page`].
+    /// True to keep the pictures of all steps for [`Cost::page`].
     pub with_pictures: bool,
 }
 

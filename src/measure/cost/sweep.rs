@@ -16,7 +16,7 @@ pub struct Sweep(pub Vec<Step>);
 pub struct Step {
     /// Its changes such as `samples=4 numerics=classic`, or "as it is".
     pub label: String,
-    /// What differs from the scene.
+    /// Settings that differ from the scene.
     pub changes: Vec<Setting>,
     /// All settings together.
     pub settings: RenderSettings,

@@ -8,34 +8,31 @@ use super::run::Cost;
 use crate::measure::text::{duration, percent};
 
 /// Title of the relations of error and time.
-pub(super) const ERROR_AND_TIME: &str = "Error and time of each setting; \
+const ERROR_AND_TIME: &str = "Error and time of each setting; \
     own error: RMSE against the picture with only that setting at its best";
 
 /// Title of the places of errors.
-pub(super) const PLACES: &str = "Places of the errors of each setting at its worst; \
+const PLACES: &str = "Places of the errors of each setting at its worst; \
     shares of the squared error (and of the pixels)";
 
 impl Cost {
-    /// Relation of error and time, a line for each setting.
-    pub(super) fn law_words(&self) -> Vec<String> {
+    /// Titles and lines about each setting; sections without lines are left out.
+    pub(super) fn sections(&self) -> impl Iterator<Item = (&'static str, Vec<String>)> {
         let laws = self.laws.iter().map(|law| law.words(&self.steps));
-        laws.chain(self.max_error_words()).collect()
-    }
-
-    /// Places of errors, a line for each setting.
-    pub(super) fn place_words(&self) -> Vec<String> {
-        self.breakdowns.iter().map(Breakdown::words).collect()
+        let laws = laws.chain(self.max_error_words()).collect();
+        let places = self.breakdowns.iter().map(Breakdown::words).collect();
+        let sections: [(_, Vec<_>); 2] = [(ERROR_AND_TIME, laws), (PLACES, places)];
+        sections.into_iter().filter(|(_, lines)| !lines.is_empty())
     }
 
     /// Results beside the table in sentences, one a line.
     #[must_use]
     pub fn words(&self) -> String {
-        let mut lines = vec![ERROR_AND_TIME.to_owned()];
-        lines.extend(self.law_words());
-        lines.extend([String::new(), PLACES.to_owned()]);
-        lines.extend(self.place_words());
-        lines.extend([String::new(), self.recommended.words("recommended")]);
-        lines.join("\n") + "\n"
+        let mut text = String::new();
+        for (title, lines) in self.sections() {
+            text += &format!("{title}\n{}\n\n", lines.join("\n"));
+        }
+        text + &self.recommended.words("recommended") + "\n"
     }
 
     /// Origin of the reference, and its own error.

@@ -42,7 +42,7 @@ pub struct Curve {
     pub label: String,
     /// Number of its colour; any number has one.
     pub hue: usize,
-    /// Whether it is a bound: a dashed line without dots.
+    /// True if it is a bound: a dashed line without dots.
     pub is_bound: bool,
     /// Points from left to right, above zero; a second number may be zero, which has a line of its
     /// own below the axis.

@@ -27,7 +27,7 @@ pub(in crate::measure) struct Dot<'a> {
     /// Number of its colour; dots without one are labelled first.
     pub(in crate::measure) hue: Option<usize>,
     pub(in crate::measure) tooltip: String,
-    /// Whether it is on the Pareto front, which a dotted line joins.
+    /// True if it is on the Pareto front, which a dotted line joins.
     pub(in crate::measure) is_on_front: bool,
 }
 

@@ -90,16 +90,6 @@ impl Svg {
 
 /// A text with the characters of markup replaced.
 pub(in crate::measure) fn escaped(text: &str) -> String {
-    let markup = [
-        ('&', "&amp;"),
-        ('<', "&lt;"),
-        ('>', "&gt;"),
-        ('"', "&quot;"),
-    ];
-    let replaced = markup
-        .iter()
-        .fold(text.to_owned(), |text, (character, entity)| {
-            text.replace(*character, entity)
-        });
-    replaced
+    let text = text.replace('&', "&amp;").replace('<', "&lt;");
+    text.replace('>', "&gt;").replace('"', "&quot;")
 }
