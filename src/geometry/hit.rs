@@ -24,6 +24,15 @@ pub struct Hit {
     pub texel: Rgb,
 }
 
+/// The exact place of a hit in what covers a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolved {
+    /// The coordinates, as in a [`Hit`].
+    pub uv: DVec2,
+    /// The colour of the surface's image there.
+    pub texel: Rgb,
+}
+
 impl Hit {
     /// A hit on a shape that has no coordinates of its own.
     #[inline(always)]

@@ -15,7 +15,7 @@ mod sphere;
 mod triangle;
 
 pub use ellipsoid::Ellipsoid;
-pub use hit::Hit;
+pub use hit::{Hit, Resolved};
 pub use planar::Planar;
 pub use plane::Plane;
 pub use rectangle::Rectangle;

@@ -3,12 +3,12 @@
 use serde::Serialize;
 
 use super::Thing;
+use crate::geometry::Hit;
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
 use crate::render::{Arrival, Event, Probe, RayKind, Tracer, Unfollowed, pixel_color};
 use crate::scene::Scene;
-use crate::geometry::Hit;
 
 /// How one pixel came by its colour: everything that the tracer did for it.
 #[derive(Debug, Clone, Serialize)]

@@ -47,13 +47,7 @@ impl Errors {
     /// The errors behind a surface that sends the path on, which came along this unit direction.
     #[must_use]
     #[inline(never)]
-    pub fn behind(
-        self,
-        shape: &Shape,
-        turn: Scattering,
-        dir: DVec3,
-        normal: DVec3,
-    ) -> Self {
+    pub fn behind(self, shape: &Shape, turn: Scattering, dir: DVec3, normal: DVec3) -> Self {
         let curvature = shape.round().map_or(0.0, |[_, axes]| {
             // An ellipse is most curved at the ends of its long axis.
             axes.max_element() / axes.min_element().powi(2)

@@ -5,7 +5,7 @@ use sobol_burley::sample;
 
 use crate::math::{Point, Ray, Rgb, Segment};
 use crate::surface::Lamp;
-use crate::visibility::{LightView, Occluders, Occlusion};
+use crate::visibility::{Occluders, Occlusion, Receiver};
 
 use super::tracer::Interaction;
 use super::{Arrival, Event, Probe, RayKind, Seed, Tracer};
@@ -29,18 +29,18 @@ impl Tracer<'_> {
                 probe.on(Event::Light(index, Arrival::Colorless));
                 continue;
             }
-            if !view.lights(primitive) {
+            let Some(receiver) = view.receiver(primitive) else {
                 probe.on(Event::Light(index, Arrival::Unplanned));
                 continue;
-            }
+            };
             let arriving = lamp.form_factor(&hit.point, hit.normal);
             if arriving == 0.0 {
                 probe.on(Event::Light(index, Arrival::Behind));
                 continue;
             }
-            let passed = if primitive.common.shadows.receive {
+            let passed = if receiver.is_shadowed() {
                 let seed = at.path.seed.of_lamp(number);
-                self.share_of_lamp(at, view, LampSamples { lamp, index, seed }, probe)
+                self.share_of_lamp(at, receiver, LampSamples { lamp, index, seed }, probe)
             } else {
                 Rgb::WHITE
             };
@@ -59,7 +59,7 @@ impl Tracer<'_> {
     fn share_of_lamp(
         &self,
         at: &Interaction<'_, '_>,
-        view: &LightView<'_>,
+        receiver: Receiver<'_, '_>,
         samples: LampSamples<'_>,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -67,7 +67,7 @@ impl Tracer<'_> {
         let (point, normal) = (&at.hit.point, at.hit.normal);
         let ray = Ray::spawn(at.ray_origin, normal);
         let is_open = self.plan.camera.screen().is_none();
-        let occluders = match view.occlusion(at.primitive, at.hit, &ray, is_open) {
+        let occluders = match receiver.occlusion(at.hit, &ray, is_open) {
             Occlusion::None => return Rgb::WHITE,
             Occlusion::Full => return Rgb::BLACK,
             Occlusion::Partial(occluders) => occluders,

@@ -101,9 +101,8 @@ impl<'a> Tracer<'a> {
             tested_once(probe);
             *pixel = match hit {
                 Some(hit) => {
-                    let found = (primitive, primitive.resolve(*hit, ray));
                     let seed = Seed::of_place(x, row.y);
-                    self.shown([x, row.y], ray, found, seed, probe)
+                    self.shown([x, row.y], ray, (primitive, hit), seed, probe)
                 }
                 None => nothing(probe),
             };

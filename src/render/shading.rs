@@ -1,9 +1,10 @@
 //! The light that a surface reflects diffusely, and the specular highlights of lights.
 
+use crate::geometry::Hit;
 use crate::light::Light;
 use crate::math::{Rgb, Segment};
 use crate::plan::Scope;
-use crate::visibility::{LightView, Occlusion};
+use crate::visibility::{Occlusion, Receiver};
 
 use super::tracer::Interaction;
 use super::{Arrival, Event, Probe, RayKind, Tracer};
@@ -37,10 +38,10 @@ impl Tracer<'_> {
         let diffuse = primitive.surface.getdiff(hit);
         let lights = self.plan.scene.lights.iter().zip(&self.plan.lights);
         for (index, (light, planned)) in lights.enumerate() {
-            if !planned.view.lights(primitive) {
+            let Some(receiver) = planned.view.receiver(primitive) else {
                 probe.on(Event::Light(index, Arrival::Unplanned));
                 continue;
-            }
+            };
             let Some(segment) = Segment::new(at.ray_origin, light.location) else {
                 probe.on(Event::Light(index, Arrival::Here));
                 continue;
@@ -50,7 +51,7 @@ impl Tracer<'_> {
                 probe.on(Event::Light(index, Arrival::Behind));
                 continue;
             }
-            let arrival = self.arrival(at, (index, light), &planned.view, &segment, probe);
+            let arrival = self.arrival(at.hit, (index, light), receiver, &segment, probe);
             probe.on(Event::Light(index, arrival));
             let Arrival::Light {
                 color: arriving, ..
@@ -79,19 +80,18 @@ impl Tracer<'_> {
     #[inline(always)]
     fn arrival(
         &self,
-        at: &Interaction<'_, '_>,
+        hit: &Hit,
         (index, light): (usize, &Light),
-        view: &LightView<'_>,
+        receiver: Receiver<'_, '_>,
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
         let Some(leaving) = light.seen_along(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
-        let primitive = at.primitive;
         let screen = self.plan.camera.screen();
-        let occlusion = if primitive.common.shadows.receive {
-            view.occlusion(primitive, at.hit, &segment.ray, screen.is_none())
+        let occlusion = if receiver.is_shadowed() {
+            receiver.occlusion(hit, &segment.ray, screen.is_none())
         } else {
             Occlusion::None
         };

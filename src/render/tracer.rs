@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::Hit;
+use crate::geometry::{Hit, Resolved};
 use crate::math::{Beam, Ray, RayOrigin, Rgb};
 use crate::plan::{Plan, Scope};
 use crate::visibility::Primitive;
@@ -95,19 +95,19 @@ impl<'a> Tracer<'a> {
             None => plan.surfaces.nearest(&ray, span, &mut tests),
         };
         probe.on(Event::HitTests(tests));
-        match found {
+        match &found {
             Some((primitive, hit)) => self.shown([x, y], &ray, (primitive, hit), seed, probe),
             None => nothing(probe),
         }
     }
 
-    /// The colour of the resolved hit of a camera ray through a raster position.
+    /// The colour of the hit of a camera ray through a raster position.
     #[inline]
     pub(super) fn shown(
         &self,
         [x, y]: [f64; 2],
         ray: &Ray,
-        found: (&Primitive<'a>, Hit),
+        found: (&Primitive<'a>, &Hit),
         seed: Seed,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -132,8 +132,8 @@ impl<'a> Tracer<'a> {
         let span = self.plan.camera.span(ray);
         let found = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.on(Event::HitTests(tests));
-        match found {
-            Some(found) => self.color_of(found, ray, path, budget, probe),
+        match &found {
+            Some((primitive, hit)) => self.color_of((primitive, hit), ray, path, budget, probe),
             None => nothing(probe),
         }
     }
@@ -141,16 +141,13 @@ impl<'a> Tracer<'a> {
     /// The colour along a ray from the surface that it hits.
     fn color_of(
         &self,
-        (primitive, mut hit): (&Primitive<'a>, Hit),
+        (primitive, hit): (&Primitive<'a>, &Hit),
         ray: &Ray,
         path: &Path,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        if let Some(beam) = path.beam {
-            hit.texel = self.texel_over(primitive, &hit, beam);
-        }
-        let hit = &hit;
+        let hit = &self.resolve(primitive, hit, ray, path);
         let errors = if probe.follows_errors() {
             path.errors.at(ray, hit, primitive.surface.shape())
         } else {
@@ -186,6 +183,16 @@ impl<'a> Tracer<'a> {
         };
         probe.on(Event::Returned(color));
         color
+    }
+
+    /// The hit at its exact texel or tile, with the colour of the image there or over the footprint.
+    #[inline(always)]
+    fn resolve(&self, primitive: &Primitive<'a>, hit: &Hit, ray: &Ray, path: &Path) -> Hit {
+        let Resolved { uv, mut texel } = primitive.resolve(hit, ray);
+        if let Some(beam) = path.beam {
+            texel = self.texel_over(primitive, &Hit { uv, texel, ..*hit }, beam);
+        }
+        Hit { uv, texel, ..*hit }
     }
 
     /// The colour of a surface: its own, and what it transmits and reflects.

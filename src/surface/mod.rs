@@ -12,7 +12,7 @@ mod tiled_plane;
 #[cfg(test)]
 mod classic_tests;
 
-pub use crate::geometry::Hit;
+pub use crate::geometry::{Hit, Resolved};
 pub use common::{Common, Shadows};
 pub use lamp::Lamp;
 pub use plain::Plain;
@@ -66,11 +66,14 @@ pub trait Surface: Send + Sync + fmt::Debug {
         self.shape().intersect(ray, span)
     }
 
-    /// The hit with its exact texel or tile, and the texel's colour.
+    /// The exact texel or tile at a hit, and the texel's colour.
     ///
-    /// The tracer resolves only the hit that it shows.
-    fn resolve(&self, hit: Hit, _ray: &Ray, _numerics: Numerics) -> Hit {
-        hit
+    /// The tracer resolves only the hits that it shows.
+    fn resolve(&self, hit: &Hit, _ray: &Ray, _numerics: Numerics) -> Resolved {
+        Resolved {
+            uv: hit.uv,
+            texel: Rgb::WHITE,
+        }
     }
 
     /// The ambient reflectivity at a resolved hit.

@@ -15,7 +15,7 @@
 
 use std::sync::Arc;
 
-use super::{Common, Hit, Plain, Surface, globe};
+use super::{Common, Hit, Plain, Resolved, Surface, globe};
 use crate::geometry::{Rectangle, Shape};
 use crate::language::{Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, Value};
 use crate::math::{Beam, Numerics, Ray, Rgb};
@@ -107,27 +107,24 @@ impl Textured {
         node.with_entry("texture", Some(name.into()), &properties)
     }
 
-    /// The hit on a rectangle with its exact texel.
+    /// The texel at a hit on a rectangle.
     #[inline]
-    fn resolve_on(&self, rectangle: &Rectangle, hit: Hit, ray: &Ray) -> Hit {
+    fn resolve_on(&self, rectangle: &Rectangle, hit: &Hit, ray: &Ray) -> Resolved {
         // The offset has the same roundings as the distance, and half as many again.
         let bound = 3.0 * hit.error;
         match self.image.certain_texel(hit.uv, bound) {
-            Some(texel) => Hit { texel, ..hit },
+            Some(texel) => Resolved { uv: hit.uv, texel },
             None => self.resolve_exactly(rectangle, hit, bound, ray),
         }
     }
 
-    /// The hit with its exact texel, where the offset's error bound reaches into another texel.
+    /// The exact texel, where the error bound of the offset reaches into another one.
     #[cold]
-    fn resolve_exactly(&self, rectangle: &Rectangle, hit: Hit, bound: f64, ray: &Ray) -> Hit {
+    fn resolve_exactly(&self, rectangle: &Rectangle, hit: &Hit, bound: f64, ray: &Ray) -> Resolved {
         let exact = || rectangle.frame.exact_offset(&rectangle.flat, ray);
         let uv = self.image.settled(hit.uv, bound, exact);
-        Hit {
-            uv,
-            texel: self.image.at(uv),
-            ..hit
-        }
+        let texel = self.image.at(uv);
+        Resolved { uv, texel }
     }
 }
 
@@ -163,7 +160,7 @@ impl Surface for Textured {
         }
     }
 
-    fn resolve(&self, hit: Hit, ray: &Ray, numerics: Numerics) -> Hit {
+    fn resolve(&self, hit: &Hit, ray: &Ray, numerics: Numerics) -> Resolved {
         let texel = match (&self.shape, numerics) {
             (Shape::Rectangle(rectangle), Numerics::Robust) => {
                 return self.resolve_on(rectangle, hit, ray);
@@ -172,9 +169,9 @@ impl Surface for Textured {
             (Shape::Rectangle(_), Numerics::ClassicF32) => {
                 texture_map(&self.image, hit.uv.as_vec2().to_array())
             }
-            (shape, _) => globe::texel(&self.image, shape, &hit, numerics),
+            (shape, _) => globe::texel(&self.image, shape, hit, numerics),
         };
-        Hit { texel, ..hit }
+        Resolved { uv: hit.uv, texel }
     }
 
     fn texture(&self) -> Option<&Texture> {

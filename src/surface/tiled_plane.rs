@@ -18,7 +18,7 @@ use std::sync::Arc;
 use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
 
-use super::{Common, Hit, Surface};
+use super::{Common, Hit, Resolved, Surface};
 use crate::geometry::{Plane, Shape};
 use crate::language::{
     Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, ValueError, words,
@@ -216,13 +216,14 @@ impl Surface for TiledPlane {
             .with("start", self.start.word())
     }
 
-    fn resolve(&self, hit: Hit, ray: &Ray, numerics: Numerics) -> Hit {
+    fn resolve(&self, hit: &Hit, ray: &Ray, numerics: Numerics) -> Resolved {
         let uv = match numerics {
-            Numerics::Robust => self.tile_at(&hit, ray),
-            Numerics::Classic => self.classic_tile_at::<f64>(&hit),
-            Numerics::ClassicF32 => self.classic_tile_at::<f32>(&hit),
+            Numerics::Robust => self.tile_at(hit, ray),
+            Numerics::Classic => self.classic_tile_at::<f64>(hit),
+            Numerics::ClassicF32 => self.classic_tile_at::<f32>(hit),
         };
-        Hit { uv, ..hit }
+        let texel = Rgb::WHITE;
+        Resolved { uv, texel }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {

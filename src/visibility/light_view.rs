@@ -67,8 +67,19 @@ pub(super) struct Occluder<'a> {
 pub(super) struct Candidate {
     /// Its place in the list of occluders.
     pub(super) occluder: usize,
+    /// Its carrier.
+    pub(super) carrier: Option<CarrierId>,
     /// The part of the receiver that its shadow can fall on; `None` if that is unknown.
     pub(super) shadow: Option<ShadowRect>,
+}
+
+/// A surface that receives the light of one emitter.
+#[derive(Debug, Clone, Copy)]
+pub struct Receiver<'v, 'a> {
+    pub(super) view: &'v LightView<'a>,
+    pub(super) primitive: &'v Primitive<'a>,
+    /// The occluders that can hide the emitter from some part of it.
+    pub(super) candidates: &'v [Candidate],
 }
 
 impl<'a> LightView<'a> {
@@ -88,16 +99,17 @@ impl<'a> LightView<'a> {
         let occluders = occluders(surfaces, silhouettes, emitter, &silhouette);
         let count = surfaces.primitives().len();
         let shares_list = tests_all || count > MOST_LISTS;
-        let all = (0..occluders.len()).map(|occluder| Candidate {
-            occluder,
-            shadow: None,
-        });
+        let all = occluders
+            .iter()
+            .enumerate()
+            .map(|(occluder, it)| Candidate {
+                occluder,
+                carrier: it.primitive.carrier,
+                shadow: None,
+            });
+        let lists = shares_list.then(|| all.collect());
         let mut view = Self {
-            lists: if shares_list {
-                vec![all.collect()]
-            } else {
-                Vec::new()
-            },
+            lists: lists.into_iter().collect(),
             list_of: vec![None; count],
             tree: None,
             distance: None,
@@ -140,6 +152,7 @@ impl<'a> LightView<'a> {
                 && !it.bound.hides_nothing_from(receiver);
             can_hide.then(|| Candidate {
                 occluder,
+                carrier: it.primitive.carrier,
                 shadow: match self.emitter {
                     Emitter::Point(light) => ShadowRect::of(light, silhouette, receiver),
                     Emitter::Lamp(..) => None,
@@ -156,18 +169,24 @@ impl<'a> LightView<'a> {
         self.emitter.lamp()
     }
 
-    /// Returns whether the light can arrive at a surface at all.
+    /// The light as a surface receives it; `None` if it never arrives there.
     #[must_use]
     #[inline(always)]
-    pub fn lights(&self, receiver: &Primitive<'_>) -> bool {
-        self.list_of[receiver.index].is_some()
+    pub fn receiver<'v>(&'v self, primitive: &'v Primitive<'a>) -> Option<Receiver<'v, 'a>> {
+        Some(Receiver {
+            view: self,
+            primitive,
+            candidates: &self.lists[self.list_of[primitive.index]?],
+        })
     }
 
     /// The occluders, by their places in the scene's list, that can hide the light from a surface.
     #[must_use]
     pub fn occluders_of(&self, receiver: usize) -> Vec<usize> {
-        let candidates = self.list(receiver).iter();
-        let occluders = candidates.map(|candidate| &self.occluders[candidate.occluder]);
+        let candidates = self.list_of[receiver].map_or(&[][..], |list| &self.lists[list]);
+        let occluders = candidates
+            .iter()
+            .map(|candidate| &self.occluders[candidate.occluder]);
         occluders.map(|occluder| occluder.primitive.index).collect()
     }
 
@@ -179,11 +198,6 @@ impl<'a> LightView<'a> {
         let mut occluders = self.occluders.iter();
         let found = occluders.find(|it| it.primitive.index == occluder);
         found?.side
-    }
-
-    /// The candidates for a receiver.
-    pub(super) fn list(&self, receiver: usize) -> &[Candidate] {
-        self.list_of[receiver].map_or(&[], |list| &self.lists[list])
     }
 }
 

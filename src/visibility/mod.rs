@@ -29,7 +29,7 @@ mod tree;
 
 pub use accelerator::Accelerator;
 pub use carriers::carriers;
-pub use light_view::{Emitter, LightView, MOST_LISTS};
+pub use light_view::{Emitter, LightView, MOST_LISTS, Receiver};
 pub use occlusion::{Occluders, Occlusion};
 pub use overlaps::Overlaps;
 pub use padded_bounds::shared_border_error;

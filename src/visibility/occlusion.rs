@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use glam::DVec2;
 
-use super::light_view::{Candidate, Emitter, LightView, Occluder};
+use super::light_view::{Candidate, Emitter, Occluder, Receiver};
 use super::occluder_bound::HiddenPart;
 use super::occluder_tree::OccluderTree;
-use super::primitive::Primitive;
+use super::shadow_rect::ShadowRect;
 use super::transmittance::transmittance;
 use crate::geometry::Hit;
 use crate::math::{Ray, Rgb, Segment};
@@ -27,8 +27,7 @@ pub enum Occlusion<'v, 'a> {
 /// The occluders that may stand between a hit and a light.
 #[derive(Debug)]
 pub struct Occluders<'v, 'a> {
-    view: &'v LightView<'a>,
-    receiver: &'v Primitive<'a>,
+    receiver: Receiver<'v, 'a>,
     /// The coordinates of the hit, which shadow rectangles are compared with.
     uv: DVec2,
     choice: Choice<'v>,
@@ -50,30 +49,30 @@ enum Choice<'v> {
 /// Smaller, and few are searched for as if they were many; larger, and each ray tests more than it hits.
 const FEW: usize = 8;
 
-impl<'a> LightView<'a> {
+impl<'v, 'a> Receiver<'v, 'a> {
+    /// Returns whether shadows fall on the surface: the chapter's `light_visible` test.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_shadowed(&self) -> bool {
+        self.primitive.common.shadows.receive
+    }
+
     /// The part of the light that is hidden from a hit, from which a ray starts.
     ///
     /// `is_open` tells whether only surfaces can end a ray to the light.
     #[must_use]
     #[inline(always)]
-    pub fn occlusion<'v>(
-        &'v self,
-        receiver: &'v Primitive<'a>,
-        hit: &Hit,
-        ray: &Ray,
-        is_open: bool,
-    ) -> Occlusion<'v, 'a> {
-        let choice = match self.emitter {
-            Emitter::Point(_) => self.before_point(receiver, hit.uv, ray),
-            Emitter::Lamp(..) => match self.before_lamp(receiver, ray, is_open) {
+    pub fn occlusion(self, hit: &Hit, ray: &Ray, is_open: bool) -> Occlusion<'v, 'a> {
+        let choice = match self.view.emitter {
+            Emitter::Point(_) => self.before_point(hit.uv, ray),
+            Emitter::Lamp(lamp, ..) => match self.before_lamp(lamp, ray, is_open) {
                 ControlFlow::Continue(choice) => choice,
                 ControlFlow::Break(()) => return Occlusion::Full,
             },
         };
         choice.map_or(Occlusion::None, |choice| {
             Occlusion::Partial(Occluders {
-                view: self,
-                receiver,
+                receiver: self,
                 uv: hit.uv,
                 choice,
             })
@@ -82,33 +81,39 @@ impl<'a> LightView<'a> {
 
     /// The occluders between a hit and a point light; `None` if there are none.
     #[inline(always)]
-    fn before_point(&self, receiver: &Primitive<'a>, uv: DVec2, ray: &Ray) -> Option<Choice<'_>> {
-        let candidates = self.list(receiver.index);
-        if let Some(tree) = &self.tree {
+    fn before_point(self, uv: DVec2, ray: &Ray) -> Option<Choice<'v>> {
+        if let Some(tree) = &self.view.tree {
             // A walk tests less than the whole list.
-            return (!candidates.is_empty()).then_some(Choice::Tree(tree));
+            return (!self.candidates.is_empty()).then_some(Choice::Tree(tree));
         }
-        let mut all = candidates.iter();
-        let first = all.position(|it| self.is_in_question(it, uv, ray))?;
-        Some(Choice::Candidates(&candidates[first..]))
+        let mut candidates = self.candidates;
+        while let [first, others @ ..] = candidates {
+            if first.is_in_question(uv, ray) {
+                return Some(Choice::Candidates(candidates));
+            }
+            candidates = others;
+        }
+        None
     }
 
     /// The occluders between a hit and a lamp; `None` if there are none, a break if all is hidden.
+    // Never inlined, as the code of point lights is hot.
+    #[inline(never)]
     fn before_lamp(
-        &self,
-        receiver: &Primitive<'a>,
+        self,
+        lamp: &Lamp,
         ray: &Ray,
         is_open: bool,
-    ) -> ControlFlow<(), Option<Choice<'_>>> {
-        let list = self.list(receiver.index);
+    ) -> ControlFlow<(), Option<Choice<'v>>> {
+        let view = self.view;
         let left = ray.leaves();
         let (mut few, mut are_many, mut is_hidden) = (Vec::new(), false, false);
         let mut visit = |place: usize| {
-            let occluder = &self.occluders[place];
+            let occluder = &view.occluders[place];
             if occluder.primitive.lies_on(left) {
                 return ControlFlow::Continue(());
             }
-            if self.tests_all {
+            if view.tests_all {
                 few.push(place);
                 return ControlFlow::Continue(());
             }
@@ -120,42 +125,43 @@ impl<'a> LightView<'a> {
                 }
                 HiddenPart::Full | HiddenPart::Partial => few.push(place),
             }
-            are_many = self.tree.is_some() && few.len() > FEW;
+            are_many = view.tree.is_some() && few.len() > FEW;
             if are_many {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
             }
         };
-        let walked = match (&self.tree, self.lamp()) {
-            (Some(tree), Some(lamp)) if !list.is_empty() => {
-                tree.walk_toward(ray, ball_around(lamp), visit)
+        let walked = match &view.tree {
+            Some(tree) if !self.candidates.is_empty() => {
+                let ball = (lamp.center().world(), lamp.radius());
+                tree.walk_toward(ray, ball, visit)
             }
-            _ => list.iter().try_for_each(|it| visit(it.occluder)),
+            _ => self.candidates.iter().try_for_each(|it| visit(it.occluder)),
         };
         if is_hidden {
             return ControlFlow::Break(());
         }
         // A walk that broke off has found many.
         debug_assert!(walked.is_continue() || are_many, "a break has a reason");
-        if few.is_empty() && !self.tests_all {
+        if few.is_empty() && !view.tests_all {
             return ControlFlow::Continue(None);
         }
-        if let Some(tree) = self.tree.as_ref().filter(|_| are_many) {
+        if let Some(tree) = view.tree.as_ref().filter(|_| are_many) {
             return ControlFlow::Continue(Some(Choice::Tree(tree)));
         }
         few.sort_unstable();
         ControlFlow::Continue(Some(Choice::Places(few)))
     }
+}
 
-    /// Returns whether a candidate can be hit by a ray to the light from a hit at these coordinates.
+impl Candidate {
+    /// Returns whether a ray to the light from a hit at these coordinates can hit the occluder.
     #[inline(always)]
-    fn is_in_question(&self, candidate: &Candidate, uv: DVec2, ray: &Ray) -> bool {
-        let shadow = candidate.shadow.as_ref();
-        !shadow.is_some_and(|shadow| shadow.is_missed(uv, ray))
-            && !self.occluders[candidate.occluder]
-                .primitive
-                .lies_on(ray.leaves())
+    fn is_in_question(&self, uv: DVec2, ray: &Ray) -> bool {
+        let is_missed = |shadow: &ShadowRect| shadow.is_missed(uv, ray);
+        let left = ray.leaves();
+        !self.shadow.as_ref().is_some_and(is_missed) && !(left.is_some() && self.carrier == left)
     }
 }
 
@@ -170,13 +176,13 @@ impl<'a> Occluders<'_, 'a> {
             *tests += 1;
             self.hides(occluder, segment)
         };
-        let occluders = &self.view.occluders;
+        let occluders = &self.receiver.view.occluders;
         match &self.choice {
             Choice::Candidates(candidates) => {
                 let (first, others) = candidates.split_at(1);
                 let others = others
                     .iter()
-                    .filter(|it| self.view.is_in_question(it, self.uv, &segment.ray));
+                    .filter(|it| it.is_in_question(self.uv, &segment.ray));
                 let all = first.iter().chain(others).map(|it| &occluders[it.occluder]);
                 let hiding = all.filter(|occluder| hides(occluder));
                 transmittance(hiding.map(|occluder| &occluder.primitive), segment)
@@ -198,13 +204,13 @@ impl<'a> Occluders<'_, 'a> {
         mut hides: impl FnMut(&Occluder<'a>) -> bool,
     ) -> Rgb {
         // A point of a lamp can lie on an occluder's plane, which is hit beyond it by rounding.
-        let distance = self.view.distance;
+        let distance = self.receiver.view.distance;
         let until = distance.map_or(f64::MAX, |distance| distance.until(segment));
         let left = segment.ray.leaves();
         let mut hiding = Vec::new();
         let mut is_blocked = false;
         tree.walk(&segment.ray, until, |place| {
-            let occluder = &self.view.occluders[place];
+            let occluder = &self.receiver.view.occluders[place];
             if occluder.primitive.lies_on(left) || !hides(occluder) {
                 return ControlFlow::Continue(());
             }
@@ -230,16 +236,11 @@ impl<'a> Occluders<'_, 'a> {
         let side = occluder
             .side
             .unwrap_or_else(|| primitive.side(&segment.end));
-        let silhouettes = &self.view.silhouettes;
+        let view = self.receiver.view;
         primitive.hides(segment, side, || {
-            let receiver = silhouettes.of(self.receiver);
-            let silhouette = silhouettes.of(primitive);
-            silhouette.can_hide(&self.view.silhouette, receiver)
+            let receiver = view.silhouettes.of(self.receiver.primitive);
+            let silhouette = view.silhouettes.of(primitive);
+            silhouette.can_hide(&view.silhouette, receiver)
         })
     }
-}
-
-/// The centre of a lamp and the radius of the ball around it.
-fn ball_around(lamp: &Lamp) -> (glam::DVec3, f64) {
-    (lamp.center().world(), lamp.radius())
 }

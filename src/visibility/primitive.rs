@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::geometry::{Hit, classic};
+use crate::geometry::{Hit, Resolved, classic};
 use crate::math::{
     CarrierId, Curve, Decisions, Flat, Numerics, Point, Ray, RayOrigin, Segment, Side, Span,
 };
@@ -71,9 +71,10 @@ impl<'a> Primitive<'a> {
         }
     }
 
-    /// The hit with its exact texel or tile, and the texel's colour.
+    /// The exact texel or tile at a hit, and the texel's colour.
     #[must_use]
-    pub fn resolve(&self, hit: Hit, ray: &Ray) -> Hit {
+    #[inline(always)]
+    pub fn resolve(&self, hit: &Hit, ray: &Ray) -> Resolved {
         self.surface.resolve(hit, ray, self.numerics)
     }
 

@@ -74,7 +74,7 @@ impl<'a> SurfaceList<'a> {
         self.tree.as_ref()
     }
 
-    /// The surface that a ray hits first, and its resolved hit.
+    /// The surface that a ray hits first, and the hit, which is not resolved yet.
     ///
     /// Of equally near surfaces the first in the file wins. `tests` grows by the number of surfaces
     /// that are tested.
@@ -136,7 +136,7 @@ fn search<'e, 'a, 'r>(
             &mut best,
         ));
     }
-    best.map(|(primitive, hit)| (primitive, primitive.resolve(hit, ray)))
+    best
 }
 
 /// A search for the surface that a ray hits first; the order of the tests does not matter.

@@ -26,8 +26,8 @@ pub(super) fn transmittance<'e, 'a: 'e>(
         crossed.extend(occluder.carrier);
         let span = segment.limits().span();
         if let Some(hit) = occluder.hits(&segment.ray, span) {
-            let hit = occluder.resolve(hit, &segment.ray);
-            share = share * occluder.common.transmits(hit.texel);
+            let texel = occluder.resolve(&hit, &segment.ray).texel;
+            share = share * occluder.common.transmits(texel);
         }
     }
     share
