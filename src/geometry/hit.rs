@@ -34,6 +34,13 @@ pub struct Resolved {
 }
 
 impl Hit {
+    /// The hit at its exact place in the cover.
+    #[must_use]
+    #[inline(always)]
+    pub fn resolved(self, Resolved { uv, texel }: Resolved) -> Self {
+        Self { uv, texel, ..self }
+    }
+
     /// A hit on a shape that has no coordinates of its own.
     #[inline(always)]
     pub(super) fn new(t: f64, error: f64, point: Point, normal: DVec3) -> Self {

@@ -31,7 +31,7 @@ pub struct Ray<'a> {
 pub struct RayOrigin<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
-    pub support: Option<CarrierId>,
+    pub carrier: Option<CarrierId>,
     /// The surface's plane, if it is flat.
     pub flat: Option<&'a Flat>,
     /// The hit.
@@ -63,7 +63,7 @@ impl<'a> RayOrigin<'a> {
     #[must_use]
     #[inline]
     pub fn new(
-        (support, flat): (Option<CarrierId>, Option<&'a Flat>),
+        (carrier, flat): (Option<CarrierId>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
         point: Point,
         slip: f64,
@@ -72,7 +72,7 @@ impl<'a> RayOrigin<'a> {
         let (_, before) = arriving.origin.seen_from(point.anchor);
         let length = before + point.offset.abs().element_sum();
         Self {
-            support,
+            carrier,
             flat,
             point,
             curve: None,
@@ -145,7 +145,7 @@ impl<'a> Ray<'a> {
     /// The sheet that it starts from.
     #[must_use]
     pub fn leaves(&self) -> Option<CarrierId> {
-        self.spawned_from.and_then(|ray_origin| ray_origin.support)
+        self.spawned_from.and_then(|ray_origin| ray_origin.carrier)
     }
 
     /// Whether it goes to the inside of this round thing, if it starts from its surface.

@@ -117,7 +117,7 @@ fn useless_lamps(scene: &Scene) -> Vec<Problem> {
         receivers.peek().is_some()
             && !receivers
                 .map(|it| silhouettes.of(it))
-                .any(|receiver| lamp.is_in_front_of(receiver) && receiver.is_in_front_of(&lamp))
+                .any(|receiver| lamp.can_light(receiver))
     };
     let problems = Emitter::lamps(&surfaces)
         .filter(is_useless)

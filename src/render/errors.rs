@@ -67,8 +67,8 @@ impl Errors {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Plane, Sphere};
     use crate::math::{Point, Span};
-    use crate::surface::{Common, Plane, Sphere};
 
     fn falling(angle: f64) -> DVec3 {
         DVec3::new(libm::sin(angle), -libm::cos(angle), 0.0)
@@ -82,8 +82,7 @@ mod tests {
             beside: 1e-7,
             ..Errors::default()
         };
-        let common = Common::black(None, None);
-        let ball = Sphere::new(common, DVec3::ZERO, 1.0, None).expect("a ball");
+        let ball = Shape::from(Sphere::new(DVec3::ZERO, 1.0).expect("a ball"));
         let behind = before.behind(&ball, Scattering::Straight, falling(0.3), DVec3::Y);
         assert_eq!(
             behind,
@@ -96,12 +95,12 @@ mod tests {
 
     #[test]
     fn a_ray_beside_its_way_slides_along_the_surface() {
-        let floor = Plane::new(Common::black(None, None), DVec3::ZERO, DVec3::Y).expect("a plane");
+        let floor = Shape::from(Plane::new(DVec3::ZERO, DVec3::Y).expect("a plane"));
         for angle in (0..157).map(|hundredth| f64::from(hundredth) / 100.0) {
             let dir = falling(angle);
             let beside = 1e-3;
             let from = |start: DVec3| Ray::new(Point::exact(start - dir), dir);
-            let hit = |ray: &Ray| floor.hits(ray, Span::AHEAD).expect("the floor");
+            let hit = |ray: &Ray| floor.intersect(ray, Span::AHEAD).expect("the floor");
             let errors = Errors {
                 beside,
                 ..Errors::default()

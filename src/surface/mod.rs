@@ -9,9 +9,6 @@ mod procedural_plane;
 mod textured;
 mod tiled_plane;
 
-#[cfg(test)]
-mod classic_tests;
-
 pub use crate::geometry::{Hit, Resolved};
 pub use common::{Common, Shadows};
 pub use lamp::Lamp;

@@ -246,3 +246,49 @@ impl Surface for TiledPlane {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::classic;
+    use crate::math::{Span, unit};
+
+    fn material(name: &str, ambient: f64) -> Arc<Material> {
+        Arc::new(Material {
+            name: name.to_owned(),
+            ambient: Rgb::new(ambient, ambient, ambient),
+            ..(*Common::black(None, None).material).clone()
+        })
+    }
+
+    /// Numbers from −1 to 1 without rhyme, the same on every run (Weyl 1916).
+    fn scatter(index: u32) -> [f64; 2] {
+        [2f64.sqrt(), 3f64.sqrt()].map(|root| (f64::from(index) * root).fract() * 2.0 - 1.0)
+    }
+
+    #[test]
+    fn classic_tiles_alternate_as_the_robust_ones_do() {
+        for start in [TileStart::Point, TileStart::Course] {
+            let plane = Plane::new(DVec3::new(0.3, 0.0, 0.1), DVec3::Y).expect("a plane");
+            let (common, tile) = (Common::new(material("main", 2.0)), DVec2::new(1.5, 0.5));
+            let other = material("other", 3.0);
+            let tiled = TiledPlane::new(common, plane, DVec3::X, tile, start, other);
+            let tiled = tiled.expect("tiles");
+            for index in 0..1000 {
+                let [x, z] = scatter(index).map(|place| place * 20.0);
+                let down = unit(DVec3::NEG_Y).expect("a direction");
+                let down = Ray::new(Point::exact(DVec3::new(x, 1.0, z)), down);
+                let ambient = |hit: Option<Hit>, numerics| {
+                    let hit = hit.expect("a hit");
+                    tiled.getamb(&hit.resolved(tiled.resolve(&hit, &down, numerics)))
+                };
+                let classic = classic::intersect::<f64>(tiled.shape(), &down, Span::AHEAD);
+                assert_eq!(
+                    ambient(tiled.hits(&down, Span::AHEAD), Numerics::Robust),
+                    ambient(classic, Numerics::Classic),
+                    "{start:?}"
+                );
+            }
+        }
+    }
+}

@@ -129,7 +129,8 @@ impl<'a> LightView<'a> {
             }
             view.list_of[receiver.index] = Some(view.lists.len() - 1);
         }
-        if let Some(tree) = surfaces.tree().filter(|_| shares_list && !tests_all) {
+        let walks = shares_list && (!tests_all || emitter.lamp().is_none());
+        if let Some(tree) = surfaces.tree().filter(|_| walks) {
             let primitives = || view.occluders.iter().map(|occluder| &occluder.primitive);
             view.tree = Some(OccluderTree::new(
                 tree,

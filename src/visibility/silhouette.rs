@@ -127,6 +127,12 @@ impl Silhouette {
         plane.is_none_or(|plane| self.reaches(plane, Side::Front))
     }
 
+    /// Returns whether some of its light can reach the front of a receiver, without occluders.
+    #[must_use]
+    pub fn can_light(&self, receiver: &Self) -> bool {
+        self.is_in_front_of(receiver) && receiver.is_in_front_of(self)
+    }
+
     /// The side of its plane on which all of an emitter is, except what lies in the plane.
     ///
     /// `None` if the emitter is on both sides, or if this is not flat.

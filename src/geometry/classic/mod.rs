@@ -5,8 +5,8 @@
 //! axes and compares it with width and height. A sphere is a quadratic. A triangle has barycentric
 //! coordinates. No ray knows which surface it leaves: hits nearer than [`Scalar::OFFSET`] do not count.
 //!
-//! Ray tracers commonly do so, and most pictures are right. The tests in `surface/classic_tests` show
-//! the cases that go wrong.
+//! Ray tracers commonly do so, and most pictures are right. The test module
+//! `weaknesses` has the cases that go wrong.
 
 mod flat;
 mod round;
@@ -102,3 +102,6 @@ fn nearest<T: Scalar>(
         Shape::Ellipsoid(ellipsoid) => round::ellipsoid(ellipsoid, ray, counts),
     }
 }
+
+#[cfg(test)]
+mod tests;
