@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::scattering::{Scattering, times};
+use crate::geometry::{Hit, Shape};
 use crate::math::Ray;
 use crate::math::error_bounds::FOOT;
-use crate::surface::{Hit, Surface};
 
 /// What rounding may have done to a path by the time it meets a surface.
 ///
@@ -31,10 +31,10 @@ impl Errors {
     /// Where a ray passes beside its way, its hit slides along the surface: by as much as that, divided by
     /// the cosine of the angle to the normal.
     #[must_use]
-    pub fn at(self, ray: &Ray, hit: &Hit, surface: &dyn Surface) -> Self {
+    pub fn at(self, ray: &Ray, hit: &Hit, shape: &Shape) -> Self {
         let (_, start) = ray.origin.seen_from(hit.point.anchor);
         let rounding = FOOT * (start + hit.point.offset.abs().element_sum());
-        let slip = surface.slip() * surface.error(ray, hit) + rounding;
+        let slip = shape.point_error() * shape.distance_error(ray, hit) + rounding;
         let beside = self.beside + times(self.direction, hit.t);
         let slide = times(beside, 1.0 / ray.dir.dot(hit.normal).abs());
         Self {
@@ -47,14 +47,8 @@ impl Errors {
     /// The errors behind a surface that sends the path on, which came along this unit direction.
     #[must_use]
     #[inline(never)]
-    pub fn behind(
-        self,
-        surface: &dyn Surface,
-        turn: Scattering,
-        dir: DVec3,
-        normal: DVec3,
-    ) -> Self {
-        let curvature = surface.round().map_or(0.0, |[_, axes]| {
+    pub fn behind(self, shape: &Shape, turn: Scattering, dir: DVec3, normal: DVec3) -> Self {
+        let curvature = shape.round().map_or(0.0, |[_, axes]| {
             // An ellipse is most curved at the ends of its long axis.
             axes.max_element() / axes.min_element().powi(2)
         });

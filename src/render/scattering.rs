@@ -7,11 +7,11 @@ use crate::math::error_bounds::UNIT;
 pub enum Scattering {
     /// In its own direction, bit for bit.
     Straight,
-    /// Mirrored.
-    Mirrored,
+    /// Reflected.
+    Reflected,
     /// Bent, between media whose indices of refraction have this ratio, that before the surface to that
     /// behind it.
-    Bent(f64),
+    Refracted(f64),
 }
 
 impl Scattering {
@@ -22,8 +22,8 @@ impl Scattering {
     pub(super) fn behind(self, [beside, direction]: [f64; 2], tilt: f64, cosine: f64) -> [f64; 2] {
         let [beside, direction] = match self {
             Self::Straight => [beside, direction],
-            Self::Mirrored => [beside, mirrored(direction, tilt)],
-            Self::Bent(ratio) => bent([beside, direction], tilt, ratio, cosine),
+            Self::Reflected => [beside, mirrored(direction, tilt)],
+            Self::Refracted(ratio) => bent([beside, direction], tilt, ratio, cosine),
         };
         // What holds to first order says nothing of large angles.
         let is_small = direction < 1.0;
