@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use super::coincident::{Coincidence, coincidences};
-use crate::accel::{LampView, SurfaceList};
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem, Value};
 use crate::light::Light;
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Emitter, Silhouettes, SurfaceList};
 
 /// Angle in degrees up to which an `xdir` may leave its plane without a warning.
 ///
@@ -93,7 +93,7 @@ fn tilted_xdir(subject: &Subject) -> Option<Problem> {
 fn useless_light(light: &Light, scene: &Scene) -> Option<Problem> {
     let location = Point::exact(light.location);
     let mut surfaces = scene.surfaces.iter();
-    if surfaces.len() == 0 || surfaces.any(|it| it.side(&location) == Side::Front) {
+    if surfaces.len() == 0 || surfaces.any(|it| it.shape().side(&location) == Side::Front) {
         return None;
     }
     let help = "surfaces are lit on the side that their normal points to; \
@@ -109,26 +109,31 @@ fn useless_light(light: &Light, scene: &Scene) -> Option<Problem> {
 /// Reports lamps that shine on the front of no surface.
 fn useless_lamps(scene: &Scene) -> Vec<Problem> {
     let surfaces = SurfaceList::new(&scene.surfaces);
-    let lit = || {
-        let entries = surfaces.entries().iter();
-        entries.filter(|entry| entry.surface.lamp().is_none())
-    };
-    let views = LampView::all(&surfaces, &scene.surfaces, true);
-    let useless = views
-        .iter()
-        .filter(|view| lit().next().is_some() && !lit().any(|entry| view.lights(entry)));
+    let silhouettes = Silhouettes::new(scene.surfaces.len());
+    let receivers = surfaces.primitives().iter();
+    let receivers = receivers.filter(|it| it.surface.lamp().is_none());
     let help = "turn its normal or the normal of a surface around, or move it";
-    let advice = ["visible, but lights nothing", help];
-    let what = "shines on the front of no surface";
-    useless
-        .map(|view| warning(&surface_subject(view.lamp), what, advice))
-        .collect()
+    let problems = Emitter::lamps(&surfaces).filter_map(|emitter| {
+        let lamp = emitter.silhouette();
+        let mut lit = receivers
+            .clone()
+            .map(|it| lamp.can_light(silhouettes.of(it)));
+        let is_useless = receivers.clone().next().is_some() && !lit.any(|it| it);
+        let subject = surface_subject(emitter.lamp().filter(|_| is_useless)?);
+        let advice = ["visible, but lights nothing", help];
+        Some(warning(
+            &subject,
+            "shines on the front of no surface",
+            advice,
+        ))
+    });
+    problems.collect()
 }
 
 /// Reports a closed surface around the camera.
 fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
-    let is_closed = surface.flat().is_none();
-    let is_inside = surface.side(&Point::exact(camera.viewpoint())) == Side::Back;
+    let is_closed = surface.shape().carrier().is_none();
+    let is_inside = surface.shape().side(&Point::exact(camera.viewpoint())) == Side::Back;
     let advice = ["not visible from inside", "move the viewpoint out of it"];
     let report = || warning(&surface_subject(surface), "has the camera inside", advice);
     (is_closed && is_inside).then(report)
@@ -167,7 +172,7 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
             viewpoint, target, ..
         } => (*point - eye).dot(*target - *viewpoint) > 0.0,
     };
-    match (surface.bounds(), surface.flat()) {
+    match (surface.shape().bounds(), surface.shape().carrier()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
         (None, Some(flat)) => can_be_hit(flat, camera, view),
         (None, None) => true,
@@ -194,7 +199,7 @@ fn can_be_hit(flat: &Flat, camera: &Camera, view: &View) -> bool {
 /// Reports two surfaces that share an area.
 fn coincides(pair: Coincidence, scene: &Scene) -> Problem {
     let [earlier, later] = [pair.earlier, pair.later].map(|it| &*scene.surfaces[it]);
-    let verb = match later.flat() {
+    let verb = match later.shape().carrier() {
         Some(_) => "lies in the same plane as",
         None => "coincides with",
     };

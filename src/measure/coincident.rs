@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::accel::{Overlaps, supports};
 use crate::math::Bounds;
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Overlaps, carriers};
 
 /// Relative tolerance within which surfaces share a plane or an area.
 ///
@@ -24,12 +24,12 @@ pub(super) struct Coincidence {
 /// For each surface, the first one before it that shares an area with it.
 pub(super) fn coincidences(scene: &Scene) -> Vec<Coincidence> {
     let surfaces = &scene.surfaces;
-    let supports = supports(surfaces);
+    let carriers = carriers(surfaces);
     let boxes: Vec<_> = surfaces.iter().map(|it| padded_bounds(&**it)).collect();
     let overlaps = Overlaps::new(&boxes);
     let unbounded: Vec<_> = (0..boxes.len()).filter(|it| boxes[*it].is_none()).collect();
     let first = |later: usize| {
-        let is_exact = |earlier: usize| supports[earlier] == supports[later];
+        let is_exact = |earlier: usize| carriers[earlier] == carriers[later];
         let coincide = |earlier: &usize| {
             let [one, other] = [*earlier, later].map(|it| &*surfaces[it]);
             (is_exact(*earlier) || nearly_one_plane(one, other)) && overlap(one, other)
@@ -54,7 +54,7 @@ pub(super) fn coincidences(scene: &Scene) -> Vec<Coincidence> {
 
 /// Bounds of a surface and of all that nearly coincides with it; `None` if it is unbounded.
 fn padded_bounds(surface: &dyn Surface) -> Option<Bounds> {
-    let Bounds { min, max } = surface.bounds()?;
+    let Bounds { min, max } = surface.shape().bounds()?;
     // A point nearly in its plane is closer than the tolerance times the distance of both.
     let margin = DVec3::splat(2.0 * SHARED_TOLERANCE * (max - min).element_sum());
     Some(Bounds {
@@ -65,7 +65,7 @@ fn padded_bounds(surface: &dyn Surface) -> Option<Bounds> {
 
 /// True if two planes are equal but for rounding.
 fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.flat(), b.flat()) else {
+    let (Some(a), Some(b)) = (a.shape().carrier(), b.shape().carrier()) else {
         return false;
     };
     let way = b.point - a.point;
@@ -75,11 +75,11 @@ fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
 
 /// True if two surfaces on one carrier share an area.
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let Some(normal) = a.flat().map(|flat| flat.normal) else {
+    let Some(normal) = a.shape().carrier().map(|plane| plane.normal) else {
         // Round surfaces on one carrier are equal.
         return true;
     };
-    let (a, b) = (a.outline(), b.outline());
+    let (a, b) = (a.shape().outline(), b.shape().outline());
     if a.is_empty() || b.is_empty() {
         // One of them is unbounded.
         return true;

@@ -9,7 +9,6 @@ use crate::language::{Sources, ValueError};
 use crate::plan::{Cause, Decision, Effect, Plan, Reachability, Scope};
 use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
-use crate::surface::classic;
 
 /// Plan of a scene in words.
 #[derive(Debug, Clone, Serialize)]
@@ -82,8 +81,7 @@ const MOST_PIXELS: usize = 4_096;
 /// # Errors
 /// Refuses a camera that cannot exist.
 pub(crate) fn explain(scene: &Scene, measure: bool) -> Result<Explanation, ValueError> {
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let settings = &scene.settings;
     let all = u64::from(settings.width) * u64::from(settings.height);
     let (pixels, counts) = if measure {
@@ -94,7 +92,7 @@ pub(crate) fn explain(scene: &Scene, measure: bool) -> Result<Explanation, Value
     };
     let effect = |decision| EffectRow::of(decision, &counts, all, &scene.sources);
     let effects = plan.decisions().into_iter().map(effect);
-    let surfaces = scene.surfaces.iter().zip(&plan.seen);
+    let surfaces = scene.surfaces.iter().zip(&plan.reachability);
     let surfaces = surfaces.map(|(surface, seen)| SurfaceRow {
         surface: SceneItem::of(&Cause::of_surface(&**surface), &scene.sources),
         seen: *seen,
@@ -148,8 +146,7 @@ fn traced(plan: &Plan<'_>) -> (u64, Counts) {
 /// # Errors
 /// Refuses a camera that cannot exist.
 pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, ValueError> {
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let on = plan.decisions().into_iter().filter(|decision| decision.on);
     Ok(on.map(|decision| decision.effect).collect())
 }

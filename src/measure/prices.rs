@@ -8,7 +8,7 @@ use super::{Change, Timing, effects_of, without};
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::plan::{Effect, Scope};
-use crate::render::{Counts, STACK, observed};
+use crate::render::{Counts, Render, STACK};
 use crate::scene::Scene;
 
 /// Costs of the effects of a scene.
@@ -97,7 +97,7 @@ pub fn prices(
     let all = runs as usize * subjects.len();
     let pool = one_thread()?;
     // Not measured: the first picture also fetches program and textures into the caches.
-    let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
+    let (picture, _) = pool.install(|| Render::new(scene).film::<Counts>())?;
     let hash = picture.hash();
     let picture = picture.shown(scene.settings.transfer);
     let mut drawn = 0;
@@ -152,7 +152,7 @@ impl Subject<'_> {
     /// Renders it once more and compares it with the shown picture of the whole scene, whose hash
     /// before that is `hash`.
     fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), ValueError> {
-        let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
+        let (seconds, drawn) = timed(|| Render::new(self.scene).scope(self.scope).film());
         let (film, counts) = drawn?;
         assert!(
             self.scope == Scope::CalledFor || film.hash() == hash,

@@ -5,12 +5,12 @@ use serde_json::Value;
 
 use super::aliases;
 use super::scene_item::SceneItem;
+use crate::geometry::Hit;
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
-use crate::render::{Arrival, Errors, Probe, RayKind, Tracer, Unfollowed, pixel_color};
+use crate::render::{Arrival, Event, Probe, RayKind, Tracer, Unfollowed, pixel_color};
 use crate::scene::Scene;
-use crate::surface::{Hit, classic};
 
 /// Rays of one pixel and its colour.
 #[derive(Debug, Clone, Serialize)]
@@ -99,8 +99,7 @@ pub(crate) fn transcript(
         let help = "columns and rows are counted from the top left, from 0";
         return Err(ValueError::new("image", reason, help));
     }
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let mut listener = Listener {
         plan: &plan,
         open: Vec::new(),
@@ -138,6 +137,27 @@ impl Listener<'_, '_> {
 }
 
 impl Probe for Listener<'_, '_> {
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Ray(kind, share) => self.ray(kind, share),
+            Event::NotFollowed(kind, why) => self.not_followed(kind, why),
+            Event::Hit(surface, hit, _) => self.hit(surface, hit),
+            Event::Light(light, arrival) => self.light(light, arrival),
+            Event::OwnColor { color, of_lamps } => self.note(|ray| {
+                ray.own = color.channels();
+                ray.of_lamps = of_lamps.channels();
+            }),
+            Event::OwnShare(share) => self.note(|ray| {
+                ray.own = ray.own.map(|own| own * share);
+                ray.of_lamps = ray.of_lamps.map(|of_lamps| of_lamps * share);
+            }),
+            Event::Returned(color) => self.returned(color),
+            _ => {}
+        }
+    }
+}
+
+impl Listener<'_, '_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
         if matches!(kind, RayKind::Shadow | RayKind::Lamp) {
             self.sent += 1;
@@ -170,7 +190,7 @@ impl Probe for Listener<'_, '_> {
         self.note(|ray| ray.unfollowed.push(UnfollowedRay { kind, why }));
     }
 
-    fn met(&mut self, surface: usize, hit: &Hit, _errors: Errors) {
+    fn hit(&mut self, surface: usize, hit: &Hit) {
         let scene = self.plan.scene;
         let cause = Cause::of_surface(&*scene.surfaces[surface]);
         let report = HitReport {
@@ -187,7 +207,10 @@ impl Probe for Listener<'_, '_> {
         let rays = std::mem::take(&mut self.sent);
         let scene = self.plan.scene;
         let cause = match light.checked_sub(scene.lights.len()) {
-            Some(lamp) => Cause::of_surface(self.plan.lamp_views[lamp].lamp),
+            Some(lamp) => match self.plan.lamps[lamp].view.lamp() {
+                Some(lamp) => Cause::of_surface(lamp),
+                None => return,
+            },
             None => Cause::of_light(&scene.lights[light]),
         };
         let (arrives, share) = match arrival {
@@ -207,21 +230,7 @@ impl Probe for Listener<'_, '_> {
         self.note(|ray| ray.lights.push(report));
     }
 
-    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
-        self.note(|ray| {
-            ray.own = color.channels();
-            ray.of_lamps = of_lamps.channels();
-        });
-    }
-
-    fn own_share(&mut self, share: f64) {
-        self.note(|ray| {
-            ray.own = ray.own.map(|own| own * share);
-            ray.of_lamps = ray.of_lamps.map(|of_lamps| of_lamps * share);
-        });
-    }
-
-    fn came_back(&mut self, color: Rgb) {
+    fn returned(&mut self, color: Rgb) {
         let Some(mut ray) = self.open.pop() else {
             return;
         };

@@ -8,7 +8,7 @@ use crate::light::{Cone, Light, Slide};
 use crate::plan::Effect;
 use crate::read::{Options, read_bytes};
 use crate::scene::Scene;
-use crate::surface::{FinitePlane, TexturePlane};
+use crate::surface::{Plain, Textured};
 use crate::texture::{Filter, Texture};
 
 /// The scene without an effect: its text is changed as a user could do, and read again.
@@ -65,7 +65,7 @@ fn off(mut node: Node, effect: Effect) -> Node {
         Effect::Projectors => convert(&mut node, &Slide::SCHEMA, &Light::SCHEMA),
         Effect::Textures if node.schema == &Slide::SCHEMA => {}
         Effect::Textures => {
-            convert(&mut node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
+            convert(&mut node, &Textured::PLANE, &Plain::FINITE_PLANE);
             remove(&mut node, "texture");
         }
         Effect::TextureFilter => {

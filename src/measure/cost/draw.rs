@@ -3,8 +3,7 @@
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::math::Rgb;
-use crate::plan::Scope;
-use crate::render::{Counts, observed};
+use crate::render::{Counts, Render};
 use crate::scene::{RenderSettings, Scene};
 
 /// Renders a scene with other settings, and restores its own.
@@ -13,7 +12,7 @@ pub(super) fn draw(
     settings: RenderSettings,
 ) -> Result<(Film, Counts), ValueError> {
     let own = std::mem::replace(&mut scene.settings, settings);
-    let drawn = observed(scene, Scope::CalledFor, &|_| ());
+    let drawn = Render::new(scene).film();
     scene.settings = own;
     drawn
 }

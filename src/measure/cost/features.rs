@@ -4,11 +4,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::language::ValueError;
-use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
-use crate::render::{Arrival, Errors, Probe, RayKind, Tracer};
+use crate::render::{Arrival, Event, Probe, Tracer};
 use crate::scene::Scene;
-use crate::surface::Hit;
 
 /// Kind of place in a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -71,23 +69,21 @@ struct Path {
 }
 
 impl Probe for Path {
-    fn met(&mut self, surface: usize, _hit: &Hit, _errors: Errors) {
-        self.hits.push(surface);
-    }
-
-    fn light(&mut self, light: usize, arrival: Arrival) {
-        if arrival == Arrival::Hidden {
-            self.hidden[usize::from(self.hits.len() > 1)].push(light);
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Hit(surface, ..) => self.hits.push(surface),
+            Event::Light(light, Arrival::Hidden) => {
+                self.hidden[usize::from(self.hits.len() > 1)].push(light);
+            }
+            _ => {}
         }
     }
-
-    fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
 }
 
 impl FeatureMap {
     /// Compares the path through the middle of each pixel with those of its four neighbours.
     pub(super) fn of(scene: &Scene) -> Result<Self, ValueError> {
-        let plan = Plan::new(scene, None, Scope::CalledFor)?;
+        let plan = Plan::new(scene, Scope::CalledFor)?;
         let tracer = Tracer::new(&plan);
         let [width, height] = [scene.settings.width, scene.settings.height].map(|it| it as usize);
         let path = |at: usize| {

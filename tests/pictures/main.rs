@@ -1,0 +1,10 @@
+//! The pictures: what they show, and what must not change them.
+
+mod gallery;
+mod hard_cases;
+mod lamps;
+mod metamorphic;
+mod refraction;
+mod sampling;
+mod texture_filters;
+mod textures;
