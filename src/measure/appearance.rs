@@ -200,8 +200,8 @@ mod tests {
         flip
     }
 
-    /// The authors' program has these means of its maps, as crate `nv-flip` 0.1.2 and as Python's
-    /// `flip-evaluator` 1.7 at 67 pixels in a degree. It reckons with 32 bits and a slightly other white.
+    /// Means of the maps of the authors' program, as crate `nv-flip` 0.1.2 and as Python's
+    /// `flip-evaluator` 1.7 at 67 pixels per degree; it has 32-bit floats and another white.
     #[test]
     fn the_program_of_the_authors_sees_the_same() {
         let edge = |at: u32| move |x: u32, y: u32| [if x + y / 3 > at { 255 } else { 20 }; 3];

@@ -72,16 +72,14 @@ impl fmt::Display for Timing {
     }
 }
 
-/// Does some work and returns its processor time in this thread, in seconds; the load of the machine
-/// does not count.
+/// Does some work and returns its processor time in this thread, in seconds.
 pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let start = ThreadTime::now();
     let done = work();
     (start.elapsed().as_secs_f64(), done)
 }
 
-/// Does some work and returns the processor time of all threads of the process and the elapsed time,
-/// in seconds.
+/// Does some work and returns the processor time of all threads and the elapsed time, in seconds.
 pub(super) fn timed_in_all_threads<T>(work: impl FnOnce() -> T) -> ([f64; 2], T) {
     let (cpu, wall) = (ProcessTime::now(), Instant::now());
     let done = work();

@@ -36,8 +36,8 @@ pub(crate) struct EffectRow {
     pub(crate) effect: Effect,
     pub(crate) on: bool,
     pub(crate) why: String,
-    /// Rays that it causes, counted or estimated like [`work`](Explanation::work); `None` for effects
-    /// without rays of their own.
+    /// Rays that it causes, counted or estimated like [`work`](Explanation::work); `None` if it has
+    /// no rays of its own.
     pub(crate) rays: Option<u64>,
     /// Surfaces and lights that call for it.
     pub(crate) because_of: Vec<SceneItem>,

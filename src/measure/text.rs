@@ -52,6 +52,23 @@ pub(super) fn percent(share: f64) -> String {
     }
 }
 
+/// A text with non-breaking spaces between numbers and their units, and before powers.
+pub(super) fn unbroken(text: &str) -> String {
+    const UNITS: [&str; 7] = ["%", "s", "ms", "µs", "dB", "code", "×"];
+    let mut unbroken = String::new();
+    for word in text.split_inclusive(' ') {
+        let is_unit = UNITS.contains(&word.trim_end_matches([' ', ',', ';', ')', '\n']));
+        let number = unbroken.trim_end().len();
+        let follows_number = unbroken[..number].ends_with(|it: char| it.is_ascii_digit());
+        if (is_unit && follows_number) || unbroken.ends_with("∝ ") {
+            unbroken.truncate(number);
+            unbroken.push('\u{a0}');
+        }
+        unbroken += word;
+    }
+    unbroken
+}
+
 /// A text in lines of at most [`WIDTH`] columns, of which all but the first are indented.
 pub(super) fn wrapped(text: &str, indent: &str) -> String {
     let options = Options::new(WIDTH)
@@ -59,7 +76,7 @@ pub(super) fn wrapped(text: &str, indent: &str) -> String {
         .break_words(false)
         .word_separator(WordSeparator::AsciiSpace)
         .word_splitter(WordSplitter::NoHyphenation);
-    textwrap::fill(text, options)
+    textwrap::fill(&unbroken(text), options).replace('\u{a0}', " ")
 }
 
 /// Rows of cells as lines with aligned columns, two spaces apart.

@@ -29,8 +29,8 @@ pub(crate) struct RayReport {
     /// Share of its colour that the surface at its origin passes on.
     pub(crate) share: [f64; 3],
     pub(crate) hit: Option<HitReport>,
-    /// Colour of the surface by ambient light, lights and lamps, as far as it counts beside mirrored
-    /// and transmitted rays.
+    /// Colour of the surface by ambient light, lights and lamps, without the share of mirrored and
+    /// transmitted rays.
     pub(crate) own: [f64; 3],
     /// Part of it that is light of lamps, or the surface's own emission if it is a lamp.
     pub(crate) of_lamps: [f64; 3],

@@ -60,8 +60,9 @@ pub struct SurfaceShare {
 }
 
 impl Breakdown {
-    /// Attributes the errors of the picture of a step to places, against the picture with `own.setting`
-    /// at its best; `None` without errors.
+    /// Attributes the errors of a picture to places; `None` without errors.
+    ///
+    /// `best` is the same picture with `own.setting` at its best.
     pub(super) fn of(
         own: &OwnError,
         label: &str,

@@ -6,7 +6,7 @@ use super::run::Cost;
 /// Contents of a cell.
 type Cell = fn(&Measurement) -> String;
 
-/// Columns; times are in seconds, `max` in code values of 255, `off` and `met` shares of the pixels.
+/// Columns: times in seconds, `max` in code values of 255, `off` and `met` as shares of the pixels.
 const COLUMNS: [(&str, Cell); 22] = [
     ("rung", |step| step.label.clone()),
     ("dial", |step| step.setting.unwrap_or_default().to_owned()),

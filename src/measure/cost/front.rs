@@ -10,7 +10,7 @@ struct Point {
     error: f64,
 }
 
-/// Names for each step another one that dominates it: no slower, no less accurate, and better in one.
+/// Names for each step one that dominates it: no slower, no less accurate, and better in one.
 ///
 /// Times within their deviations count as equal, and errors within the `noise` of the reference. Of
 /// those that dominate a step the fastest is named, of several as fast the first.
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_ring_of_noise_has_a_front() {
-        // Each of the first four is faster than the next, and as accurate; the fourth is more accurate
+        // Each of the first four is faster than the next and as accurate; the fourth is more accurate
         // than the last, and that than the first, and as fast, since its times differ by far.
         let ring = [
             ([1.0, 1.0], 0.022),

@@ -12,7 +12,7 @@ use super::run::Cost;
 use crate::language::ValueError;
 use crate::measure::Timing;
 use crate::measure::plot::{STYLE, color_class, escaped};
-use crate::measure::text::{duration, percent};
+use crate::measure::text::{duration, percent, unbroken};
 
 const TEMPLATE: &str = include_str!("page.html");
 
@@ -28,8 +28,8 @@ impl Cost {
             "scene" => escaped(scene),
             "size" => format!("{width} × {height}"),
             "aspect" => format!("{width} / {height}"),
-            "runs" => unbroken(&self.runs_words()),
-            "reference" => unbroken(&self.reference_words()),
+            "runs" => markup(&self.runs_words()),
+            "reference" => markup(&self.reference_words()),
             "advice" => {
                 let choices = choices.iter().map(|(title, best)| self.choice(title, best));
                 self.choice("recommended", &self.recommended) + &choices.collect::<String>()
@@ -51,7 +51,7 @@ impl Cost {
             Some(step) => format!(" data-step=\"{step}\" tabindex=\"0\" role=\"button\""),
             None => " class=\"none\"".to_owned(),
         };
-        let [title, label, why] = [title, best.title(), &best.why].map(unbroken);
+        let [title, label, why] = [title, best.title(), &best.why].map(markup);
         format!("<dt>{title}</dt><dd><strong{select}>{label}</strong> <span>{why}</span></dd>\n")
     }
 
@@ -106,30 +106,21 @@ fn section((title, lines): (&str, Vec<String>)) -> String {
 /// A sentence with the setting at its start set apart.
 fn sentence(words: &str) -> String {
     let (about, rest) = words.split_once(": ").unwrap_or(("", words));
-    let [about, rest] = [about, rest].map(unbroken);
+    let [about, rest] = [about, rest].map(markup);
     format!("<li><b>{about}</b> <span>{rest}</span></li>\n")
 }
 
-/// Text with each number and its unit in one line.
-fn unbroken(text: &str) -> String {
-    const UNITS: [&str; 6] = ["%", "s", "ms", "µs", "dB", "code"];
-    let mut parts: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        let is_unit = UNITS.contains(&word.trim_end_matches([',', ';', ')']));
-        match parts.last_mut() {
-            Some(last) if is_unit && last.ends_with(|it: char| it.is_ascii_digit()) => {
-                *last += "\u{a0}";
-                *last += word;
-            }
-            _ => parts.push(word.to_owned()),
-        }
-    }
-    let whole = |part: &String| match part.contains('-') {
+/// A text as markup in which numbers keep their units, and words with hyphens stay whole.
+fn markup(text: &str) -> String {
+    let whole = |word| match escaped(word) {
         // A path may be longer than a line.
-        true if part.len() < 40 => format!("<span class=\"whole\">{}</span>", escaped(part)),
-        _ => escaped(part),
+        word if word.contains('-') && word.len() < 40 => {
+            format!("<span class=\"whole\">{word}</span>")
+        }
+        word => word,
     };
-    parts.iter().map(whole).collect::<Vec<_>>().join(" ")
+    let text = unbroken(text);
+    text.split(' ').map(whole).collect::<Vec<_>>().join(" ")
 }
 
 /// Row of a step in the table.

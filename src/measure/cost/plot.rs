@@ -59,7 +59,8 @@ fn tooltip(step: &Measurement) -> String {
     let others = others.filter(|own| step.setting.is_some_and(|it| it != own.setting));
     let others = others.map(|own| format!("\nalso {}={}", own.setting, own.text));
     format!(
-        "{}{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n{} of the pixels off\nFLIP {:.4}\n{front}",
+        "{}{}\n{} of processor time\nRMSE {:.6}\nlargest error {:.2} code values\n\
+         {} of the pixels off\nFLIP {:.4}\n{front}",
         step.label,
         others.collect::<String>(),
         duration(step.cpu.median),

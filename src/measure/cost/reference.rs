@@ -38,10 +38,10 @@ pub struct Uncertainty {
 }
 
 impl Reference {
-    /// The most accurate picture of a scene, with about [`enough`] samples for each step of a sweep.
+    /// The most accurate picture of a scene, with about [`enough`] samples for each step.
     pub(super) fn automatic(scene: &mut Scene, sweep: &Sweep) -> Result<Self, ValueError> {
-        // Two halves of k² and (k + 1)² stratified samples: their cells, and so their places, differ,
-        // so half of their difference estimates the error of their mean.
+        // Two halves of k² and (k + 1)² stratified samples have no place in common, so half of
+        // their difference estimates the error of their mean.
         let most = sweep.0.iter().map(|step| enough(step.settings)).max();
         let half = f64::from(most.unwrap_or(FEWEST).max(FEWEST)) / 2.0;
         #[expect(clippy::cast_possible_truncation, reason = "at most 255")]

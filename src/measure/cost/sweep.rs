@@ -83,11 +83,8 @@ impl Sweep {
     /// # Errors
     /// Refuses settings that contradict each other.
     pub fn each(base: RenderSettings, variations: &[Variation]) -> Result<Self, ValueError> {
-        let mut sweep = Self::starting_at(base);
-        for setting in variations.iter().flat_map(|variation| &variation.0) {
-            sweep.add(base, Some(setting.word()), vec![setting.clone()])?;
-        }
-        Ok(sweep)
+        let settings = variations.iter().flat_map(|variation| &variation.0);
+        Self::with(base, settings.map(|setting| vec![setting.clone()]))
     }
 
     /// All combinations of the variations' values; variations of one setting are joined.
@@ -103,8 +100,15 @@ impl Sweep {
             });
             combinations = longer.collect();
         }
+        Self::with(base, combinations.into_iter())
+    }
+
+    fn with(
+        base: RenderSettings,
+        all: impl Iterator<Item = Vec<Setting>>,
+    ) -> Result<Self, ValueError> {
         let mut sweep = Self::starting_at(base);
-        for changes in combinations {
+        for changes in all {
             let varied = match changes.as_slice() {
                 [alone] => Some(alone.word()),
                 _ => None,
@@ -186,10 +190,10 @@ fn joined(variations: &[Variation]) -> Vec<Vec<Setting>> {
     joined
 }
 
-/// Settings without those that cannot change the picture: floats are not rounded to code values, a
-/// single ray goes through the middle of its pixel, and rays that `max-error` adds have a pattern of
-/// their own.
+/// Settings with a default for those that cannot change the picture.
 fn visible(settings: RenderSettings) -> RenderSettings {
+    // Floats are not rounded to code values, a single ray goes through the middle of its pixel, and
+    // rays that `max-error` adds have a pattern of their own.
     let rounding = match settings.depth {
         BitDepth::Eight | BitDepth::Sixteen => settings.rounding,
         BitDepth::Float => Rounding::default(),

@@ -7,8 +7,7 @@ use super::run::Cost;
 use crate::measure::plot::names;
 use crate::measure::text::{Unit, aligned, three_digits, wrapped};
 
-/// Longest label beside its figures, such as `texture-filter=anisotropic`; a longer one has lines of
-/// its own above them.
+/// Longest label beside its figures; a longer one has lines of its own above them.
 const LABEL: usize = 26;
 
 /// Meaning of the columns.

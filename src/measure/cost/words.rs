@@ -8,12 +8,12 @@ use super::run::Cost;
 use crate::measure::text::{duration, percent};
 
 /// Title of the relations of error and time.
-const ERROR_AND_TIME: &str = "Error and time of each setting; \
-    own error: RMSE against the picture with only that setting at its best";
+const ERROR_AND_TIME: &str =
+    "Own error of a setting: RMSE against the picture with that setting at its best";
 
 /// Title of the places of errors.
-const PLACES: &str = "Places of the errors of each setting at its worst; \
-    shares of the squared error (and of the pixels)";
+const PLACES: &str =
+    "Places of the errors of a setting: share of the squared error (of the pixels)";
 
 impl Cost {
     /// Titles and lines about each setting; sections without lines are left out.
@@ -49,8 +49,7 @@ impl Cost {
         }
     }
 
-    /// Share of the pixels that keep each `max-error`, if there is one: of the steps of that setting,
-    /// else of all steps.
+    /// Share of the pixels that keep `max-error`: of the steps of that setting, else of all steps.
     #[must_use]
     pub fn max_error_words(&self) -> Option<String> {
         let shares = |name: &dyn Fn(&Measurement) -> Option<String>| -> Vec<_> {

@@ -89,8 +89,9 @@ impl Labels {
     }
 }
 
-/// Moves places on an axis until they are `apart` from each other, as little as possible, and within
-/// a range if they fit.
+/// Moves places on an axis until they are `apart` from each other, as little as possible.
+///
+/// They stay within a range if they fit.
 pub(super) fn spread(places: &mut [f64], apart: f64, [low, high]: [f64; 2]) {
     let mut order: Vec<_> = (0..places.len()).collect();
     order.sort_by(|one, other| places[*one].total_cmp(&places[*other]));
