@@ -102,13 +102,16 @@ impl Shape {
         each!(self, shape => shape.intersect(ray, span))
     }
 
-    /// The nearest hit ahead of each of some rays that start in free space.
+    /// Adds the nearest hit ahead of each of some rays that start in free space.
     ///
-    /// The result is that of [`intersect`](Self::intersect). The choice of the shape is made once,
+    /// The hits are those of [`intersect`](Self::intersect). The choice of the shape is made once,
     /// so the tests of one ray need not wait for those of another.
     pub fn intersect_batch(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         each!(self, shape => for (ray, hit) in rays.iter().zip(hits) {
-            *hit = shape.intersect(ray, Span::AHEAD);
+            // A hit is large, so it is made in its place.
+            if let Some(found) = shape.intersect(ray, Span::AHEAD) {
+                *hit = Some(found);
+            }
         });
     }
 

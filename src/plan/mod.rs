@@ -95,7 +95,8 @@ impl<'a> Plan<'a> {
         let saves = scope == Scope::CalledFor && settings.numerics == Numerics::Robust;
         let screen_bounds = saves.then(|| ScreenBounds::new(&surfaces, &camera));
         let reachability = Reachability::all(scene, screen_bounds.as_ref(), &camera);
-        let (lights, lamps) = planned_lights(scene, &surfaces, &reachability, saves);
+        let is_open = camera.screen().is_none();
+        let (lights, lamps) = planned_lights(scene, &surfaces, &reachability, is_open, saves);
         let all_tested = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
@@ -131,6 +132,7 @@ fn planned_lights<'a>(
     scene: &'a Scene,
     surfaces: &SurfaceList<'a>,
     reachability: &[Reachability],
+    is_open: bool,
     saves: bool,
 ) -> (Vec<PlannedLight<'a>>, Vec<PlannedLight<'a>>) {
     let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
@@ -140,6 +142,7 @@ fn planned_lights<'a>(
         let unlit: Vec<_> = unlit.collect();
         let lights = |index: usize| unlit[index].is_none();
         let view = LightView::new(surfaces, &silhouettes, emitter, !saves, lights);
+        let view = view.open(is_open);
         PlannedLight { view, unlit }
     };
     let lights = scene.lights.iter().map(|light| {

@@ -66,8 +66,7 @@ impl Tracer<'_> {
         let LampSamples { lamp, index, seed } = samples;
         let (point, normal) = (&at.hit.point, at.hit.normal);
         let ray = Ray::spawn(at.ray_origin, normal);
-        let is_open = self.plan.camera.screen().is_none();
-        let occluders = match receiver.occlusion(at.hit, &ray, is_open) {
+        let occluders = match receiver.occlusion(at.hit, &ray) {
             Occlusion::None => return Rgb::WHITE,
             Occlusion::Full => return Rgb::BLACK,
             Occlusion::Partial(occluders) => occluders,

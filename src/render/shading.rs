@@ -89,9 +89,8 @@ impl Tracer<'_> {
         let Some(leaving) = light.seen_along(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
-        let screen = self.plan.camera.screen();
         let occlusion = if receiver.is_shadowed() {
-            receiver.occlusion(hit, &segment.ray, screen.is_none())
+            receiver.occlusion(hit, &segment.ray)
         } else {
             Occlusion::None
         };
@@ -106,7 +105,10 @@ impl Tracer<'_> {
             Occlusion::Partial(occluders) => {
                 probe.on(Event::Ray(RayKind::Shadow, Rgb::WHITE));
                 let mut tests = 0;
-                let segment = Segment { screen, ..*segment };
+                let segment = Segment {
+                    screen: self.plan.camera.screen(),
+                    ..*segment
+                };
                 let passed = occluders.transmittance(&segment, &mut tests);
                 probe.on(Event::OcclusionTests(index, tests));
                 passed

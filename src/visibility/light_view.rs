@@ -46,6 +46,8 @@ pub struct LightView<'a> {
     pub(super) tree: Option<OccluderTree>,
     /// The least distance of the occluders in that tree from a point light.
     pub(super) distance: Option<OccluderDistance>,
+    /// True if only surfaces can end a ray to the light.
+    pub(super) is_open: bool,
     /// True if occluders are tested even where the answer is known.
     pub(super) tests_all: bool,
     pub(super) silhouettes: Arc<Silhouettes>,
@@ -113,6 +115,7 @@ impl<'a> LightView<'a> {
             list_of: vec![None; count],
             tree: None,
             distance: None,
+            is_open: true,
             tests_all,
             silhouettes: silhouettes.clone(),
             emitter,
@@ -162,6 +165,12 @@ impl<'a> LightView<'a> {
         };
         let occluders = self.occluders.iter().enumerate();
         occluders.filter_map(candidate).collect()
+    }
+
+    /// The same view, in which a camera's screen may end a ray to the light unless `is_open`.
+    #[must_use]
+    pub fn open(self, is_open: bool) -> Self {
+        Self { is_open, ..self }
     }
 
     /// The lamp that the light comes from; `None` if it comes from a point.

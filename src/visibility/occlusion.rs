@@ -59,13 +59,12 @@ impl<'v, 'a> Receiver<'v, 'a> {
 
     /// The part of the light that is hidden from a hit, from which a ray starts.
     ///
-    /// `is_open` tells whether only surfaces can end a ray to the light.
     #[must_use]
     #[inline(always)]
-    pub fn occlusion(self, hit: &Hit, ray: &Ray, is_open: bool) -> Occlusion<'v, 'a> {
+    pub fn occlusion(self, hit: &Hit, ray: &Ray) -> Occlusion<'v, 'a> {
         let choice = match self.view.emitter {
             Emitter::Point(_) => self.before_point(hit.uv, ray),
-            Emitter::Lamp(lamp, ..) => match self.before_lamp(lamp, ray, is_open) {
+            Emitter::Lamp(lamp, ..) => match self.before_lamp(lamp, ray) {
                 ControlFlow::Continue(choice) => choice,
                 ControlFlow::Break(()) => return Occlusion::Full,
             },
@@ -82,11 +81,14 @@ impl<'v, 'a> Receiver<'v, 'a> {
     /// The occluders between a hit and a point light; `None` if there are none.
     #[inline(always)]
     fn before_point(self, uv: DVec2, ray: &Ray) -> Option<Choice<'v>> {
+        let mut candidates = self.candidates;
+        if candidates.is_empty() {
+            return None;
+        }
         if let Some(tree) = &self.view.tree {
             // A walk tests less than the whole list.
-            return (!self.candidates.is_empty()).then_some(Choice::Tree(tree));
+            return Some(Choice::Tree(tree));
         }
-        let mut candidates = self.candidates;
         while let [first, others @ ..] = candidates {
             if first.is_in_question(uv, ray) {
                 return Some(Choice::Candidates(candidates));
@@ -99,12 +101,7 @@ impl<'v, 'a> Receiver<'v, 'a> {
     /// The occluders between a hit and a lamp; `None` if there are none, a break if all is hidden.
     // Never inlined, as the code of point lights is hot.
     #[inline(never)]
-    fn before_lamp(
-        self,
-        lamp: &Lamp,
-        ray: &Ray,
-        is_open: bool,
-    ) -> ControlFlow<(), Option<Choice<'v>>> {
+    fn before_lamp(self, lamp: &Lamp, ray: &Ray) -> ControlFlow<(), Option<Choice<'v>>> {
         let view = self.view;
         let left = ray.leaves();
         let (mut few, mut are_many, mut is_hidden) = (Vec::new(), false, false);
@@ -119,7 +116,7 @@ impl<'v, 'a> Receiver<'v, 'a> {
             }
             match occluder.bound.hidden_part(ray) {
                 HiddenPart::None => {}
-                HiddenPart::Full if occluder.is_opaque && is_open => {
+                HiddenPart::Full if occluder.is_opaque && view.is_open => {
                     is_hidden = true;
                     return ControlFlow::Break(());
                 }

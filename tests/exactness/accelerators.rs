@@ -116,7 +116,7 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             let passed = Segment::new(&ray_origin, light).map(|segment| {
                 [0, 1].map(|which| {
                     let receiver = views[which].receiver(entry)?;
-                    match receiver.occlusion(&hit, &segment.ray, true) {
+                    match receiver.occlusion(&hit, &segment.ray) {
                         Occlusion::Partial(occluders) => {
                             Some(occluders.transmittance(&segment, &mut 0))
                         }
@@ -214,7 +214,7 @@ fn places_get_the_same_shares_of_lamps() {
                 }
                 let all = views.each_ref().map(|views| {
                     let receiver = views[number].receiver(entry).expect("as in the first");
-                    let occlusion = receiver.occlusion(&hit, &spawn, true);
+                    let occlusion = receiver.occlusion(&hit, &spawn);
                     shares(lamp, &occlusion, &ray_origin, hit.normal)
                 });
                 all[0] != all[1] || all[1] != all[2]
