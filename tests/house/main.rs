@@ -1,5 +1,7 @@
 //! The house: its floors, its files, its numbers and what a new surface takes.
 
+mod code;
 mod contributing;
 mod epsilons;
+mod imports;
 mod layers;
