@@ -9,10 +9,10 @@
 use std::error::Error;
 use std::time::Instant;
 
-use heliodon::accel::{Accelerator, SurfaceList};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, drawn};
+use heliodon::render::{Counts, Render};
+use heliodon::visibility::{Accelerator, SurfaceList};
 use heliodon::{measure, scene::Scene};
 use support::random::Random;
 use support::scenes::Writer;
@@ -79,9 +79,9 @@ fn load(text: String) -> Scene {
 
 /// The seconds that a picture takes, and how many surfaces are asked for each ray.
 fn rendered(scene: &Scene, accelerator: Accelerator) -> Result<(f64, f64), Box<dyn Error>> {
-    let plan = Plan::with(scene, None, Scope::CalledFor, accelerator);
+    let plan = Plan::with(scene, Scope::CalledFor, accelerator);
     let plan = plan.map_err(|error| error.reason)?;
-    let (made, seconds) = timed(|| drawn::<Counts>(&plan, &|_| ()));
+    let (made, seconds) = timed(|| Render::new(scene).planned::<Counts>(&plan));
     let (_, counts) = made.map_err(|error| error.reason)?;
     let tests = counts.hit_tests + counts.occlusion_tests;
     Ok((seconds, tests as f64 / counts.rays() as f64))

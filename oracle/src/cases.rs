@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
+use heliodon::geometry::{Ellipsoid, Plane, Rectangle, Shape, Sphere, Triangle};
 use heliodon::material::Material;
 use heliodon::math::{Frame, Point, Ray, Rgb, unit};
-use heliodon::surface::{Common, Ellipsoid, FinitePlane, Plane, Sphere, Surface, Triangle, share};
+use heliodon::surface::{Common, Plain, Surface, share};
 
 use crate::rational::{Vector, number};
 use support::random::{Random, Style};
@@ -32,10 +33,15 @@ pub fn letting_through(transparency: f64) -> Common {
     Common::new(Arc::new(material))
 }
 
+/// A shape with the material of all cases.
+pub fn boxed(shape: impl Into<Shape>) -> Boxed {
+    Box::new(Plain::new(common(), shape))
+}
+
 /// An unbounded plane.
 pub fn plane(random: &mut Random, style: Style, scale: f64) -> Boxed {
     let (point, normal) = (random.vector(style) * scale, random.way(style));
-    Box::new(Plane::new(common(), point, normal).expect("a normal that is not zero"))
+    boxed(Plane::new(point, normal).expect("a normal that is not zero"))
 }
 
 /// A rectangle with sides along whole numbers, or in any direction.
@@ -43,9 +49,9 @@ pub fn rectangle(random: &mut Random, style: Style, scale: f64) -> Boxed {
     loop {
         let [corner, normal, xdir] = [0; 3].map(|_| random.way(style));
         let size = random.vector(style).truncate().abs() + DVec2::splat(random.power(-3, 1));
-        let made = FinitePlane::new(common(), corner * scale, normal, xdir, size * scale);
+        let made = Rectangle::new(corner * scale, normal, xdir, size * scale);
         if let Ok(made) = made {
-            return Box::new(made);
+            return boxed(made);
         }
     }
 }
@@ -58,8 +64,8 @@ pub fn triangle(random: &mut Random, style: Style, scale: f64) -> Boxed {
             let middle = (vertices[0] + vertices[1]) / 2.0;
             vertices[2] = random.nudged(middle, 3);
         }
-        if let Ok(made) = Triangle::new(common(), vertices) {
-            return Box::new(made);
+        if let Ok(made) = Triangle::new(vertices) {
+            return boxed(made);
         }
     }
 }
@@ -69,11 +75,11 @@ pub fn round(random: &mut Random, style: Style, scale: f64) -> Boxed {
     let center = random.vector(style) * scale;
     let radius = (random.number(style).abs() + random.power(-3, 1)) * scale;
     if random.once_in(2) {
-        return Box::new(Sphere::new(common(), center, radius, None).expect("a radius above zero"));
+        return boxed(Sphere::new(center, radius).expect("a radius above zero"));
     }
     let factors = [0; 3].map(|_| random.power(-10, 10) * (1.0 + random.pick(&[0.0, 0.1, 0.7])));
-    let made = Ellipsoid::new(common(), center, radius, factors.into(), None);
-    Box::new(made.expect("axes above zero"))
+    let made = Ellipsoid::new(center, radius, factors.into());
+    boxed(made.expect("axes above zero"))
 }
 
 /// A surface of any kind.
@@ -93,12 +99,12 @@ pub fn scale(random: &mut Random) -> f64 {
 
 /// A place of interest on a surface: on an edge, in a corner, at the rim as seen from `eye`.
 fn feature(random: &mut Random, surface: &dyn Surface, eye: DVec3) -> DVec3 {
-    if let Some([center, axes]) = surface.round() {
+    if let Some([center, axes]) = surface.shape().round() {
         return rim(random, center, axes, eye);
     }
-    let corners = surface.outline();
+    let corners = surface.shape().outline();
     let Some(first) = corners.first() else {
-        let flat = surface.flat().expect("a flat surface");
+        let flat = surface.shape().carrier().expect("a flat surface");
         let way = random.cube();
         return flat.point + (way - flat.normal * flat.normal.dot(way));
     };
@@ -155,7 +161,7 @@ pub fn ray(
     if random.once_in(4) {
         return (Ray::new(origin, dir), false);
     }
-    if let Some(flat) = surface.flat()
+    if let Some(flat) = surface.shape().carrier()
         && random.once_in(3)
     {
         // Along the plane, but for rounding; the longer the step, the more it is.
@@ -165,8 +171,8 @@ pub fn ray(
     }
     if random.once_in(3) {
         // Exactly through a corner, or exactly from the plane.
-        let corner = surface.outline().first().copied();
-        let from = surface.flat().map(|flat| flat.point);
+        let corner = surface.shape().outline().first().copied();
+        let from = surface.shape().carrier().map(|flat| flat.point);
         let anchor = corner.or(from).unwrap_or(origin.anchor);
         let back = dir * (scale * random.power(-4, 12));
         origin = Point {
@@ -203,11 +209,11 @@ pub fn far_and_round(random: &mut Random) -> (Boxed, Ray<'static>) {
             .map(|_| random.power(-9, 9) * (1.0 + random.share()))
             .into()
     };
-    let made = Ellipsoid::new(common(), center, radius, factors, None).expect("axes above zero");
+    let made = Ellipsoid::new(center, radius, factors).expect("axes above zero");
     let surface: Boxed = if factors == DVec3::ONE {
-        Box::new(Sphere::new(common(), center, radius, None).expect("a radius"))
+        boxed(Sphere::new(center, radius).expect("a radius"))
     } else {
-        Box::new(made)
+        boxed(made)
     };
     let axes = factors * radius;
     let from = unit(random.cube()).unwrap_or(DVec3::X) * axes.max_element() * (1.0 + far);
@@ -237,10 +243,14 @@ pub fn welded_rectangle(random: &mut Random) -> (Boxed, Ray<'static>) {
             continue;
         };
         let make = |corner: DVec3| -> Boxed {
-            let made = FinitePlane::new(common(), corner, normal, xdir, DVec2::ONE);
-            Box::new(made.expect("a rectangle"))
+            let made = Rectangle::new(corner, normal, xdir, DVec2::ONE);
+            boxed(made.expect("a rectangle"))
         };
-        let normal = make(DVec3::ZERO).flat().expect("a flat surface").normal;
+        let normal = make(DVec3::ZERO)
+            .shape()
+            .carrier()
+            .expect("a flat surface")
+            .normal;
         let far = random.power(2, 30);
         let place = frame.x * far;
         let last_place = place.abs().max_element() * f64::EPSILON / 2.0;
@@ -269,7 +279,7 @@ pub fn welded_triangle(random: &mut Random) -> (Boxed, Ray<'static>) {
     let beside = f64::from(random.between(-2, 2)) * 1e-15;
     let make = |vertices: [[f64; 2]; 3]| -> Boxed {
         let vertices = vertices.map(|[x, y]| DVec3::new(x, y, 0.0));
-        Box::new(Triangle::new(common(), vertices).expect("a triangle"))
+        boxed(Triangle::new(vertices).expect("a triangle"))
     };
     let first = make([[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
     let second = make([

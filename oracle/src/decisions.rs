@@ -1,11 +1,13 @@
 //! The checks that compare production's decisions with exact ones, one case at a time.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
-use heliodon::accel::{Accelerator, LightView, SurfaceList};
+use heliodon::geometry::{Hit, Plane};
 use heliodon::math::{Point, Ray, RayOrigin, Rgb, Segment, Side, Span};
-use heliodon::surface::{Hit, Surface};
+use heliodon::surface::Surface;
+use heliodon::visibility::{Accelerator, Emitter, LightView, Occlusion, Silhouettes, SurfaceList};
 
 use crate::cases::{self, Boxed};
 use crate::rational::{Vector, number, rounded, sign};
@@ -93,12 +95,12 @@ pub fn side(random: &mut Random, tallies: &mut Tallies) {
         let way = Vector::of(ray.dir * exact.approximate().min(FARTHEST));
         point.offset = random.nudged(way.plus(&Vector::of(point.offset)).rounded(), 3);
     }
-    let exact = match surface.round() {
+    let exact = match surface.shape().round() {
         Some([center, axes]) => truth::side_of_round(center, axes, &point),
-        None => truth::side(surface.flat().expect("a flat surface"), &point),
+        None => truth::side(surface.shape().carrier().expect("a flat surface"), &point),
     };
     let tally = tallies.of(aimed);
-    let decided = tally.observe(|| surface.side(&point));
+    let decided = tally.observe(|| surface.shape().side(&point));
     let exact = [Side::Back, Side::On, Side::Front][usize::from((exact + 1).unsigned_abs())];
     tally.compare(&decided, &exact, exact == Side::On, || {
         format!("{point:?} and {surface:?}")
@@ -127,12 +129,11 @@ pub fn nearest(random: &mut Random, tallies: &mut Tallies) {
 
 /// A plane through a place on a ray that it meets at any angle.
 fn through(random: &mut Random, place: DVec3, ray: &Ray) -> Boxed {
-    use heliodon::surface::Plane;
     let across = random.cube();
     let across = across - ray.dir * ray.dir.dot(across);
     let normal = across + ray.dir * random.power(-30, 0);
     let place = random.nudged(place, 3);
-    Box::new(Plane::new(cases::common(), place, normal).expect("a normal that is not zero"))
+    cases::boxed(Plane::new(place, normal).expect("a normal that is not zero"))
 }
 
 fn check_nearest(surfaces: &[Boxed], ray: &Ray, tally: &mut Tally) {
@@ -176,7 +177,7 @@ pub fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     if reach * factor >= 1e100 {
         return;
     }
-    let end = match (surface.flat(), surface.round()) {
+    let end = match (surface.shape().carrier(), surface.shape().round()) {
         // Nearly along the plane, from one side of it to the other.
         (Some(flat), _) if random.once_in(4) => {
             let height = flat.normal.dot(ray.origin.from(flat.point));
@@ -200,8 +201,8 @@ pub fn occlusion(random: &mut Random, tallies: &mut Tallies) {
         return;
     };
     let tally = tallies.of(aimed);
-    let side = surface.side(&Point::exact(end));
-    let decided = tally.observe(|| surface.occludes(&segment, side));
+    let side = surface.shape().side(&Point::exact(end));
+    let decided = tally.observe(|| surface.shape().occludes(&segment, side));
     tally.compare(&decided, &exact, exact, || {
         format!("{segment:?} and {surface:?}")
     });
@@ -217,12 +218,16 @@ pub fn occlusion(random: &mut Random, tallies: &mut Tallies) {
     };
     let passed = [Accelerator::List, Accelerator::Tree].map(|accelerator| {
         let list = SurfaceList::with(&surfaces, accelerator);
-        let view = LightView::all(&list, std::iter::once(end), false, |_, _| true).remove(0);
-        let before = view.before(&list.entries()[0]);
-        let blockers = before.and_then(|before| before.blockers(&hit, &segment.ray));
-        blockers.map_or(Rgb::WHITE, |blockers| {
-            blockers.transmittance(&segment, &mut 0)
-        })
+        let silhouettes = Arc::new(Silhouettes::new(surfaces.len()));
+        let light = Emitter::Point(end);
+        let view = LightView::new(&list, &silhouettes, light, true, |_| true);
+        let receiver = view.receiver(&list.primitives()[0]);
+        let occlusion = receiver.map(|it| it.occlusion(&hit, &segment.ray, true));
+        match occlusion {
+            None | Some(Occlusion::None) => Rgb::WHITE,
+            Some(Occlusion::Full) => Rgb::BLACK,
+            Some(Occlusion::Partial(occluders)) => occluders.transmittance(&segment, &mut 0),
+        }
     });
     if passed[0] != passed[1] {
         tally.wrong(|| format!("the tree loses the shadow of {segment:?} and {surfaces:?}"));
@@ -237,10 +242,10 @@ pub fn welded(random: &mut Random, tallies: &mut Tallies) {
     } else {
         cases::welded_triangle(random)
     };
-    let flat = surface.flat().expect("a flat surface");
+    let flat = surface.shape().carrier().expect("a flat surface");
     let exact = truth::side(flat, &ray.origin);
     let tally = &mut tallies.aimed;
-    let decided = tally.observe(|| surface.side(&ray.origin));
+    let decided = tally.observe(|| surface.shape().side(&ray.origin));
     let exact = [Side::Back, Side::On, Side::Front][usize::from((exact + 1).unsigned_abs())];
     tally.compare(&decided, &exact, exact == Side::On, || {
         format!("{:?} and {surface:?}", ray.origin)
@@ -253,7 +258,7 @@ pub fn welded(random: &mut Random, tallies: &mut Tallies) {
 /// close to tell.
 fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {
     let (start, end) = (segment.ray.origin, segment.end);
-    let Some(flat) = surface.flat() else {
+    let Some(flat) = surface.shape().carrier() else {
         return hides_behind_round(surface, segment, rounding);
     };
     let [base, normal] = flat.decisive().map(Vector::of);
@@ -269,11 +274,17 @@ fn hides(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool
     // The direction of a segment so flat that rounding turns it the other way says nothing.
     let rises = truth::side(flat, &end);
     let rise = Vector::of(flat.decisive_normal()).dot(&Vector::of(segment.ray.dir));
-    (sign(&rise) == rises).then(|| truth::passes_inside(flat, &surface.borders(), &segment.ray))
+    (sign(&rise) == rises).then(|| {
+        truth::passes_inside(
+            flat,
+            surface.shape().planar().map_or(&[], |it| it.borders()),
+            &segment.ray,
+        )
+    })
 }
 
 fn hides_behind_round(surface: &dyn Surface, segment: &Segment, rounding: f64) -> Option<bool> {
-    let [center, axes] = surface.round()?;
+    let [center, axes] = surface.shape().round()?;
     let Some(entry) = truth::meets(surface, &segment.ray) else {
         return Some(false).filter(|_| truth::side_of_round(center, axes, &segment.ray.origin) > 0);
     };

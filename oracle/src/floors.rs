@@ -1,10 +1,11 @@
 //! Floors of tiles that share edges, corners and T-junctions, and rays aimed at those.
 
 use glam::{DVec2, DVec3};
+use heliodon::geometry::{Rectangle, SharedKind, Triangle};
 use heliodon::math::{Frame, Point, Ray, Span, unit};
-use heliodon::surface::{FinitePlane, SharedKind, Triangle, share};
+use heliodon::surface::share;
 
-use crate::cases::{Boxed, common};
+use crate::cases::{Boxed, boxed};
 use crate::rational::{Vector, number};
 use crate::tally::Tally;
 use support::random::Random;
@@ -151,8 +152,8 @@ impl Floor {
         if whole.is_some() && step == 10 && random.once_in(4) {
             let [a, b, c, d] = places;
             let halves = [[a, b, c], [c, d, a]].map(|vertices| {
-                let made = Triangle::new(common(), vertices).expect("three corners");
-                Box::new(made) as Boxed
+                let made = Triangle::new(vertices).expect("three corners");
+                boxed(made)
             });
             return halves.into();
         }
@@ -171,8 +172,8 @@ impl Floor {
         ];
         let known = if whole.is_some() { 8 } else { 4 };
         let (corner, normal, xdir, size) = random.pick(&ways[..known]);
-        let made = FinitePlane::new(common(), corner, normal, xdir, size);
-        vec![Box::new(made.expect("a tile"))]
+        let made = Rectangle::new(corner, normal, xdir, size);
+        vec![boxed(made.expect("a tile"))]
     }
 
     /// Welds the tiles, as loading a scene does, and sees to it that all seams were found.

@@ -1,11 +1,12 @@
 //! Closed rooms, of which no ray finds a way out, however often it is mirrored.
 
 use glam::{DVec2, DVec3};
-use heliodon::accel::SurfaceList;
+use heliodon::geometry::{Hit, Plane, Rectangle, Sphere};
 use heliodon::math::{Point, Ray, Span, unit};
-use heliodon::surface::{FinitePlane, Hit, Plane, Sphere, share};
+use heliodon::surface::share;
+use heliodon::visibility::SurfaceList;
 
-use crate::cases::{Boxed, common};
+use crate::cases::{Boxed, boxed};
 use crate::tally::Tally;
 use support::random::Random;
 
@@ -40,8 +41,8 @@ impl Room {
         for (wall, normal) in walls.iter().zip(&normals) {
             for side in [-1.0, 1.0] {
                 let point = (center + *wall * side) * scale;
-                let made = Plane::new(common(), point, -*normal * side).expect("a normal");
-                surfaces.push(Box::new(made) as Boxed);
+                let made = Plane::new(point, -*normal * side).expect("a normal");
+                surfaces.push(boxed(made));
             }
         }
         let room = Self {
@@ -80,14 +81,13 @@ impl Room {
                             [spans[1], spans[0]]
                         };
                         debug_assert_ne!(first, second);
-                        let made = FinitePlane::new(
-                            common(),
+                        let made = Rectangle::new(
                             DVec3::from(corner) * scale,
                             DVec3::AXES[axis] * inward,
                             DVec3::AXES[first],
                             DVec2::from(size) * scale,
                         );
-                        surfaces.push(Box::new(made.expect("a wall")));
+                        surfaces.push(boxed(made.expect("a wall")));
                     }
                 }
             }
@@ -124,8 +124,8 @@ impl Room {
     fn furnished(mut self, random: &mut Random) -> Self {
         if random.once_in(2) {
             self.transparent.push(self.surfaces.len());
-            let pane = Plane::new(common(), self.place(random, 0.2), random.cube());
-            self.surfaces.push(Box::new(pane.expect("a normal")));
+            let pane = Plane::new(self.place(random, 0.2), random.cube());
+            self.surfaces.push(boxed(pane.expect("a normal")));
         }
         if random.once_in(2) {
             let radius = self
@@ -135,8 +135,8 @@ impl Room {
                 .fold(f64::MAX, f64::min)
                 / 8.0;
             self.transparent.push(self.surfaces.len());
-            let ball = Sphere::new(common(), self.place(random, 0.3), radius, None);
-            self.surfaces.push(Box::new(ball.expect("a radius")));
+            let ball = Sphere::new(self.place(random, 0.3), radius);
+            self.surfaces.push(boxed(ball.expect("a radius")));
         }
         self
     }
@@ -180,7 +180,7 @@ impl Room {
         let pane = self
             .transparent
             .iter()
-            .find_map(|pane| self.surfaces[*pane].flat())?;
+            .find_map(|pane| self.surfaces[*pane].shape().carrier())?;
         let wall = random.below(3) as usize;
         let end = if random.once_in(2) { 1.0 } else { -1.0 };
         let across = self.reach[(wall + 1) % 3] * random.signed();
@@ -264,9 +264,9 @@ impl Room {
         };
         let can_be_passed = self.transparent.contains(&entry.index);
         // Walls face the inside of the room, and a ray inside of a ball has left it already.
-        let is_pane = entry.surface.flat().is_some() && can_be_passed;
+        let is_pane = entry.surface.shape().carrier().is_some() && can_be_passed;
         let from_behind = !is_pane && ray.dir.dot(hit.normal) > 4.0 * f64::EPSILON;
-        if from_behind || ray.leaves() == entry.support {
+        if from_behind || ray.leaves() == entry.carrier {
             tally.self_hits += 1;
             let index = entry.index;
             tally.wrong(|| format!("surface {index} is met again by {ray:?} in {self:?}"));

@@ -33,12 +33,20 @@ pub struct Parabola {
 
 /// Where a ray first meets a surface, if it does.
 pub fn meets(surface: &dyn Surface, ray: &Ray) -> Option<Distance> {
-    if let Some([center, axes]) = surface.round() {
+    if let Some([center, axes]) = surface.shape().round() {
         return enters(center, axes, ray).map(Distance::Root);
     }
-    let flat = surface.flat().expect("a flat surface or a round one");
+    let flat = surface
+        .shape()
+        .carrier()
+        .expect("a flat surface or a round one");
     let t = crosses(flat, ray).filter(|t| sign(t) > 0)?;
-    passes_inside(flat, &surface.borders(), ray).then_some(Distance::Quotient(t))
+    passes_inside(
+        flat,
+        surface.shape().planar().map_or(&[], |it| it.borders()),
+        ray,
+    )
+    .then_some(Distance::Quotient(t))
 }
 
 /// Where the line of a ray crosses a plane, behind its origin too.

@@ -6,10 +6,10 @@ use serde::Serialize;
 
 use super::explanation::counted;
 use crate::film::Film;
+use crate::geometry::SharedKind;
 use crate::math::Numerics;
 use crate::render::{Both, Certificate, Counts};
 use crate::scene::Scene;
-use crate::surface::SharedKind;
 
 /// How right a picture is, in numbers.
 #[derive(Debug, Serialize)]

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::stats;
-use crate::accel::{Accelerator, MOST_LISTS};
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
 use crate::plan::{Effect, Reachability, Unlit};
+use crate::visibility::{Accelerator, MOST_LISTS};
 
 /// The widest line that a list of things may fill, in columns.
 const WIDTH: usize = 100;

@@ -225,13 +225,16 @@ impl Batch<'_> {
         } else {
             Scope::CalledFor
         };
+        let request = render::Render::new(scene)
+            .scope(scope)
+            .part(part)
+            .progress(&progress);
         let drawn = self.pool.install(|| {
             if !self.options.certify {
-                let (print, counts) = render::printed_part(scene, scope, part, format, &progress)?;
+                let (print, counts) = request.encoded(format)?;
                 return Ok((print, counts, None));
             }
-            let (film, seen): (_, Both<Counts, Certificate>) =
-                render::observed_part(scene, scope, part, &progress)?;
+            let (film, seen): (_, Both<Counts, Certificate>) = request.film()?;
             let report = certificate::report(&seen, scene, &film);
             let print = EncodedImage::of(&film, format, scene.settings.encoding());
             let print = print.ok_or_else(|| render::no_memory(part))?;

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use crate::accel::{LampView, SurfaceList};
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem, Value};
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Emitter, Silhouettes, SurfaceList};
 
 use super::coincident::coincident;
 
@@ -93,7 +93,7 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
             && scene
                 .surfaces
                 .iter()
-                .all(|surface| surface.side(&location) != Side::Front)
+                .all(|surface| surface.shape().side(&location) != Side::Front)
     });
     lights.filter_map(|light| {
         let title = title(&light.describe(), light.name.as_deref());
@@ -107,25 +107,31 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
 /// Lamps that shine on no surface's front.
 fn useless_lamps(scene: &Scene) -> Vec<Problem> {
     let surfaces = SurfaceList::new(&scene.surfaces);
-    let lit = || {
-        let entries = surfaces.entries().iter();
-        entries.filter(|entry| entry.surface.lamp().is_none())
+    let silhouettes = Silhouettes::new(scene.surfaces.len());
+    let is_useless = |emitter: &Emitter<'_>| {
+        let lamp = emitter.silhouette();
+        let receivers = surfaces.primitives().iter();
+        let mut receivers = receivers
+            .filter(|it| it.surface.lamp().is_none())
+            .peekable();
+        receivers.peek().is_some()
+            && !receivers
+                .map(|it| silhouettes.of(it))
+                .any(|receiver| lamp.can_light(receiver))
     };
-    let views = LampView::all(&surfaces, &scene.surfaces, true);
-    let useless = views
-        .iter()
-        .filter(|view| lit().next().is_some() && !lit().any(|entry| view.lights(entry)));
-    let problems = useless.filter_map(|view| {
-        let what = "shines on the front of no surface";
-        let problem = warning(view.lamp, what, "lights nothing, but is seen")?;
-        Some(problem.help("turn its normal or that of a surface around, or move it"))
-    });
+    let problems = Emitter::lamps(&surfaces)
+        .filter(is_useless)
+        .filter_map(|emitter| {
+            let what = "shines on the front of no surface";
+            let problem = warning(emitter.lamp()?, what, "lights nothing, but is seen")?;
+            Some(problem.help("turn its normal or that of a surface around, or move it"))
+        });
     problems.collect()
 }
 
 fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
-    let closed = surface.flat().is_none();
-    if !closed || surface.side(&Point::exact(camera.viewpoint())) != Side::Back {
+    let closed = surface.shape().carrier().is_none();
+    if !closed || surface.shape().side(&Point::exact(camera.viewpoint())) != Side::Back {
         return None;
     }
     let problem = warning(surface, "has the camera inside", "not seen from inside")?;
@@ -141,7 +147,7 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
             viewpoint, target, ..
         } => (*point - eye).dot(*target - *viewpoint) > 0.0,
     };
-    match (surface.bounds(), surface.flat()) {
+    match (surface.shape().bounds(), surface.shape().carrier()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
         (None, Some(flat)) => can_be_met(flat, camera, view),
         (None, None) => true,

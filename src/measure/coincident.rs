@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::check::{title, warning};
-use crate::accel::{Overlaps, supports};
 use crate::language::Problem;
 use crate::math::Bounds;
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Overlaps, carriers};
 
 /// How much of its own size is taken for rounding when surfaces share a plane or an area.
 ///
@@ -16,7 +16,7 @@ const SHARED_TOLERANCE: f64 = 1e-9;
 
 /// Surfaces on one sheet, or nearly, that share an area.
 pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
-    let supports = supports(&scene.surfaces);
+    let carriers = carriers(&scene.surfaces);
     let boxes: Vec<_> = scene
         .surfaces
         .iter()
@@ -28,7 +28,7 @@ pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
         .collect();
     let mut problems = Vec::new();
     for (index, later) in scene.surfaces.iter().enumerate() {
-        let same = |earlier: &usize| supports[*earlier] == supports[index];
+        let same = |earlier: &usize| carriers[*earlier] == carriers[index];
         let meets = |earlier: &usize| {
             let other = &*scene.surfaces[*earlier];
             (same(earlier) || nearly_one_plane(other, &**later)) && overlap(other, &**later)
@@ -51,7 +51,7 @@ pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
         let other = &scene.surfaces[earlier];
         let name = other.common().name.as_deref();
         let other_title = title(&other.describe(), name);
-        let what = match later.flat() {
+        let what = match later.shape().carrier() {
             Some(_) => format!("lies in the same plane as {other_title}"),
             None => format!("coincides with {other_title}"),
         };
@@ -69,7 +69,7 @@ pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
 
 /// The box around a surface that has an end, and around all that nearly coincides with it.
 fn near(surface: &dyn Surface) -> Option<Bounds> {
-    let Bounds { min, max } = surface.bounds()?;
+    let Bounds { min, max } = surface.shape().bounds()?;
     // What is nearly in its plane is nearer than that times the distance of both.
     let margin = DVec3::splat(2.0 * SHARED_TOLERANCE * (max - min).element_sum());
     Some(Bounds {
@@ -80,7 +80,7 @@ fn near(surface: &dyn Surface) -> Option<Bounds> {
 
 /// Whether two planes are the same but for rounding.
 fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.flat(), b.flat()) else {
+    let (Some(a), Some(b)) = (a.shape().carrier(), b.shape().carrier()) else {
         return false;
     };
     let way = b.point - a.point;
@@ -93,11 +93,11 @@ fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
 /// Two convex outlines are apart if one of their edges has one of them on either side (the
 /// separating axis theorem).
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let Some(normal) = a.flat().map(|flat| flat.normal) else {
+    let Some(normal) = a.shape().carrier().map(|flat| flat.normal) else {
         // Round surfaces on one sheet are the same.
         return true;
     };
-    let (a, b) = (a.outline(), b.outline());
+    let (a, b) = (a.shape().outline(), b.shape().outline());
     if a.is_empty() || b.is_empty() {
         // One of them has no end.
         return true;

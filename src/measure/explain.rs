@@ -7,7 +7,6 @@ use crate::language::{Location, Sources, ValueError};
 use crate::plan::{Cause, Decision, Effect, Plan, Reachability, Scope};
 use crate::render::{Counts, ThreadWork, Tracer, pixel_color, render};
 use crate::scene::Scene;
-use crate::surface::classic;
 
 /// What of a scene is simulated, and why.
 #[derive(Debug, Clone, Serialize)]
@@ -102,10 +101,9 @@ const MOST_PIXELS: usize = 4_096;
 /// # Errors
 /// Refuses a camera that cannot exist.
 pub fn explain(scene: &Scene, measure: bool) -> Result<Explanation, ValueError> {
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let sources = &scene.sources;
-    let surfaces = scene.surfaces.iter().zip(&plan.seen);
+    let surfaces = scene.surfaces.iter().zip(&plan.reachability);
     let work = if measure {
         Work::counted(scene)?
     } else {

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::Thing;
-use crate::accel::MOST_LISTS;
-use crate::math::{Point, Side};
-use crate::plan::{Cause, Plan, Unlit};
+use crate::math::Side;
+use crate::plan::{Cause, Plan, PlannedLight, Unlit};
 use crate::surface::Surface;
+use crate::visibility::MOST_LISTS;
 
 /// What a light or a lamp does.
 #[derive(Debug, Clone, Serialize)]
@@ -41,66 +41,45 @@ pub enum NoShadow {
 impl LightRow {
     /// The rows of all lights of a scene in file order, and after them of all its lamps.
     pub(super) fn all(plan: &Plan<'_>) -> Vec<Self> {
-        let lights = (0..plan.light_views.len()).map(|light| Self::of_light(plan, light));
-        let lamps = (0..plan.lamp_views.len()).map(|lamp| Self::of_lamp(plan, lamp));
+        let lights = plan.scene.lights.iter().zip(&plan.lights);
+        let lights =
+            lights.map(|(light, planned)| Self::new(plan, planned, &Cause::of_light(light)));
+        let lamps = plan.lamps.iter().filter_map(|planned| {
+            let lamp = planned.view.lamp()?;
+            let mut row = Self::new(plan, planned, &Cause::of_surface(lamp));
+            row.is_lamp = true;
+            // That a lamp does not hide itself need not be told.
+            let is_other = |index: usize| {
+                let other = plan.scene.surfaces[index].lamp();
+                !other.is_some_and(|other| std::ptr::eq(other, lamp))
+            };
+            if let Some(casts_nothing) = &mut row.casts_nothing {
+                casts_nothing.retain(|(index, _)| is_other(*index));
+            }
+            Some(row)
+        });
         lights.chain(lamps).collect()
     }
 
-    fn of_light(plan: &Plan<'_>, number: usize) -> Self {
-        let (light, view) = (&plan.scene.lights[number], &plan.light_views[number]);
-        let place = Point::exact(light.location);
-        let mut row = Self::new(plan, &Cause::of_light(light), &plan.unlit[number]);
-        row.tell_casters(
-            plan,
-            |receiver| view.casters_of(receiver),
-            |caster| Some(plan.scene.surfaces[caster].side(&place)),
-        );
-        row
-    }
-
-    fn of_lamp(plan: &Plan<'_>, number: usize) -> Self {
-        let view = &plan.lamp_views[number];
-        let unlit = &plan.unlit_by_lamp[number];
-        let mut row = Self::new(plan, &Cause::of_surface(view.lamp), unlit);
-        row.is_lamp = true;
-        row.tell_casters(
-            plan,
-            |receiver| view.casters_of(receiver),
-            |caster| view.side_of(caster),
-        );
-        // That a lamp does not hide itself need not be told.
-        let is_other = |index: usize| {
-            let lamp = plan.scene.surfaces[index].lamp();
-            !lamp.is_some_and(|lamp| std::ptr::eq(lamp, view.lamp))
-        };
-        if let Some(casts_nothing) = &mut row.casts_nothing {
-            casts_nothing.retain(|(index, _)| is_other(*index));
-        }
-        row
-    }
-
-    fn new(plan: &Plan<'_>, cause: &Cause, unlit: &[Option<Unlit>]) -> Self {
-        let reasons = unlit.iter().enumerate();
-        Self {
+    fn new(plan: &Plan<'_>, planned: &PlannedLight<'_>, cause: &Cause) -> Self {
+        let reasons = planned.unlit.iter().enumerate();
+        let mut row = Self {
             light: Thing::of(cause, &plan.scene.sources),
             is_lamp: false,
-            lights: unlit.iter().filter(|why| why.is_none()).count(),
+            lights: planned.unlit.iter().filter(|why| why.is_none()).count(),
             unlit: reasons
                 .filter_map(|(surface, why)| Some((surface, (*why)?)))
                 .collect(),
             casters: None,
             casts_nothing: None,
-        }
+        };
+        row.tell_casters(plan, planned);
+        row
     }
 
-    /// Adds what can cast a shadow and what cannot, if that was worked out; `side_of` is the side of a surface that the light
-    /// is on, if all of it is on one.
-    fn tell_casters(
-        &mut self,
-        plan: &Plan<'_>,
-        casters_of: impl Fn(usize) -> Vec<usize>,
-        side_of: impl Fn(usize) -> Option<Side>,
-    ) {
+    /// Adds what can cast a shadow and what cannot, if that was worked out.
+    fn tell_casters(&mut self, plan: &Plan<'_>, planned: &PlannedLight<'_>) {
+        let view = &planned.view;
         let surfaces = &plan.scene.surfaces;
         if surfaces.len() > MOST_LISTS {
             return;
@@ -110,14 +89,17 @@ impl LightRow {
             if !surface.common().shadows.receive {
                 continue;
             }
-            for caster in casters_of(receiver) {
+            for caster in view.occluders_of(receiver) {
                 onto[caster].push(receiver);
             }
         }
         let (mut casters, mut casts_nothing) = (Vec::new(), Vec::new());
         for (caster, onto) in onto.into_iter().enumerate() {
             if onto.is_empty() {
-                casts_nothing.push((caster, self.no_shadow(surfaces, caster, side_of(caster))));
+                casts_nothing.push((
+                    caster,
+                    self.no_shadow(surfaces, caster, view.side_of(caster)),
+                ));
             } else {
                 casters.push((caster, onto));
             }
@@ -136,11 +118,11 @@ impl LightRow {
         if !surface.common().shadows.cast {
             return NoShadow::Told;
         }
-        let (Some(flat), Some(side)) = (surface.flat(), side) else {
+        let (Some(flat), Some(side)) = (surface.shape().carrier(), side) else {
             return NoShadow::FallsBeside;
         };
         let behind = side.opposite();
-        let is_behind = |other: &dyn Surface| match other.hull() {
+        let is_behind = |other: &dyn Surface| match other.shape().hull() {
             Some(hull) => hull
                 .iter()
                 .any(|point| Some(Side::of(flat.exact_height(point).sign())) == behind),

@@ -8,7 +8,7 @@ use super::{Change, Timing, effects_of, without};
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::plan::{Effect, Scope};
-use crate::render::{Counts, STACK, observed};
+use crate::render::{Counts, Render, STACK};
 use crate::scene::Scene;
 
 /// What the effects of a scene cost.
@@ -95,7 +95,7 @@ pub fn prices(
     let all = runs as usize * subjects.len();
     let pool = one_thread()?;
     // Not measured: the first picture also fetches program and textures into the caches.
-    let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
+    let (picture, _) = pool.install(|| Render::new(scene).film::<Counts>())?;
     let hash = picture.hash();
     let picture = picture.shown(scene.settings.transfer);
     let mut drawn = 0;
@@ -159,7 +159,7 @@ impl<'a> Subject<'a> {
 
     /// Draws it once more and compares it with a picture as it is shown, that had this hash before.
     fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), ValueError> {
-        let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
+        let (seconds, drawn) = timed(|| Render::new(self.scene).scope(self.scope).film());
         let (film, counts) = drawn?;
         assert!(
             self.scope == Scope::CalledFor || film.hash() == hash,

@@ -3,12 +3,12 @@
 use serde::Serialize;
 
 use super::Thing;
+use crate::geometry::Hit;
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
-use crate::render::{Arrival, Errors, Probe, RayKind, Tracer, Unfollowed, pixel_color};
+use crate::render::{Arrival, Event, Probe, RayKind, Tracer, Unfollowed, pixel_color};
 use crate::scene::Scene;
-use crate::surface::{Hit, classic};
 
 /// How one pixel came by its colour: everything that the tracer did for it.
 #[derive(Debug, Clone, Serialize)]
@@ -97,8 +97,7 @@ pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, 
         let help = "columns and rows are counted from the top left, from 0";
         return Err(ValueError::new("image", reason, help));
     }
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let mut listener = Listener {
         plan: &plan,
         open: Vec::new(),
@@ -136,6 +135,27 @@ impl Listener<'_, '_> {
 }
 
 impl Probe for Listener<'_, '_> {
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Ray(kind, share) => self.ray(kind, share),
+            Event::NotFollowed(kind, why) => self.not_followed(kind, why),
+            Event::Hit(surface, hit, _) => self.met(surface, hit),
+            Event::Light(light, arrival) => self.light(light, arrival),
+            Event::OwnColor { color, of_lamps } => self.note(|step| {
+                step.own = color.channels();
+                step.of_lamps = of_lamps.channels();
+            }),
+            Event::OwnShare(share) => self.note(|step| {
+                step.own = step.own.map(|own| own * share);
+                step.of_lamps = step.of_lamps.map(|of_lamps| of_lamps * share);
+            }),
+            Event::Returned(color) => self.came_back(color),
+            _ => {}
+        }
+    }
+}
+
+impl Listener<'_, '_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
         if matches!(kind, RayKind::Shadow | RayKind::Lamp) {
             self.sent += 1;
@@ -168,7 +188,7 @@ impl Probe for Listener<'_, '_> {
         self.note(|step| step.unfollowed.push(UnfollowedStep { kind, why }));
     }
 
-    fn met(&mut self, surface: usize, hit: &Hit, _errors: Errors) {
+    fn met(&mut self, surface: usize, hit: &Hit) {
         let scene = self.plan.scene;
         let cause = Cause::of_surface(&*scene.surfaces[surface]);
         let met = Met {
@@ -185,7 +205,10 @@ impl Probe for Listener<'_, '_> {
         let rays = std::mem::take(&mut self.sent);
         let scene = self.plan.scene;
         let cause = match light.checked_sub(scene.lights.len()) {
-            Some(lamp) => Cause::of_surface(self.plan.lamp_views[lamp].lamp),
+            Some(lamp) => match self.plan.lamps[lamp].view.lamp() {
+                Some(lamp) => Cause::of_surface(lamp),
+                None => return,
+            },
             None => Cause::of_light(&scene.lights[light]),
         };
         let (arrives, share) = match arrival {
@@ -203,20 +226,6 @@ impl Probe for Listener<'_, '_> {
             rays,
         };
         self.note(|open| open.lights.push(step));
-    }
-
-    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
-        self.note(|step| {
-            step.own = color.channels();
-            step.of_lamps = of_lamps.channels();
-        });
-    }
-
-    fn own_share(&mut self, share: f64) {
-        self.note(|step| {
-            step.own = step.own.map(|own| own * share);
-            step.of_lamps = step.of_lamps.map(|of_lamps| of_lamps * share);
-        });
     }
 
     fn came_back(&mut self, color: Rgb) {

@@ -8,7 +8,7 @@ use crate::light::{Cone, Light, Slide};
 use crate::plan::Effect;
 use crate::read::{Options, read_bytes};
 use crate::scene::Scene;
-use crate::surface::{FinitePlane, TexturePlane};
+use crate::surface::{Plain, Textured};
 use crate::texture::{Filter, Texture};
 
 /// A scene with one effect switched off, by what its user could have written: the scene is
@@ -60,7 +60,7 @@ fn off(node: Node, effect: Effect) -> Node {
         Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),
         Effect::Textures if node.schema == &Slide::SCHEMA => node,
         Effect::Textures => {
-            let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
+            let plane = changed(node, &Textured::PLANE, &Plain::FINITE_PLANE);
             without_attribute(plane, "texture")
         }
         Effect::TextureFilter => {

@@ -1,20 +1,22 @@
-//! Whether the beam of a light certainly passes by a surface.
+//! Beams of light that certainly miss a surface.
 
 use glam::DVec3;
 
+use crate::geometry::Rectangle;
 use crate::light::Cone;
 use crate::math::error_bounds::{APART, UNIT};
-use crate::math::{Ball, Bounds, Point, Rectangle, is_clear};
+use crate::math::{Ball, Bounds, Point, is_clear};
 
-/// Whether a cone of light certainly lights nothing of what is in a box.
-pub(super) fn cone_passes_by(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool {
+/// Returns whether a cone of light certainly misses a box.
+pub(super) fn cone_misses(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool {
     Ball::around(bounds).is_outside(location, cone.axis(), cone.angle())
 }
 
-/// Whether light through a slide certainly lights nothing of what is in a box: one plane through the
-/// light and a border of the slide has the slide on one side and the box on the other, both further
-/// off than rounding can turn anything.
-pub(super) fn slide_passes_by(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
+/// Returns whether light through a slide certainly misses a box.
+///
+/// One plane through the light and a border of the slide has the slide on one side and the box on the
+/// other, both further off than rounding can turn anything.
+pub(super) fn slide_misses(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
     let corners = slide.corners();
     let next = corners.iter().cycle().skip(1);
     let inner = corners.iter().cycle().skip(2);

@@ -55,15 +55,15 @@ fn decide(plan: &Plan<'_>, effect: Effect) -> Decision {
 }
 
 fn shadows(plan: &Plan<'_>) -> Decision {
-    let lights = plan.scene.lights.iter().zip(&plan.light_views);
+    let lights = plan.scene.lights.iter().zip(&plan.lights);
     let all = lights.clone().count();
-    let hidden = lights.filter(|(_, view)| {
+    let hidden = lights.filter(|(_, planned)| {
         let mut receivers = surfaces(plan, shows_shadows);
-        receivers.any(|(index, _)| !view.casters_of(index).is_empty())
+        receivers.any(|(index, _)| !planned.view.occluders_of(index).is_empty())
     });
     let causes: Vec<_> = hidden.map(|(light, _)| Cause::of_light(light)).collect();
     let why = match (all, causes.len()) {
-        (0, _) if plan.lamp_views.is_empty() => "there is no light".to_owned(),
+        (0, _) if plan.lamps.is_empty() => "there is no light".to_owned(),
         (0, _) => "there is no light but that of lamps".to_owned(),
         (_, 0) => "nothing can stand between a light and what it lights".to_owned(),
         (1, _) => "something can stand before the light".to_owned(),
@@ -73,12 +73,13 @@ fn shadows(plan: &Plan<'_>) -> Decision {
 }
 
 fn soft_shadows(plan: &Plan<'_>) -> Decision {
-    let hidden = plan.lamp_views.iter().filter(|view| {
+    let hidden = plan.lamps.iter().filter(|planned| {
         let mut receivers = surfaces(plan, shows_shadows);
-        receivers.any(|(index, _)| view.can_be_hidden_from(index))
+        receivers.any(|(index, _)| !planned.view.occluders_of(index).is_empty())
     });
-    let causes: Vec<_> = hidden.map(|view| Cause::of_surface(view.lamp)).collect();
-    let why = match (plan.lamp_views.len(), causes.len()) {
+    let lamps = hidden.filter_map(|planned| planned.view.lamp());
+    let causes: Vec<_> = lamps.map(|lamp| Cause::of_surface(lamp)).collect();
+    let why = match (plan.lamps.len(), causes.len()) {
         (0, _) => "the scene has no lamps".to_owned(),
         (_, 0) => "nothing can stand between a lamp and what it lights".to_owned(),
         (1, _) => "something can stand before the lamp".to_owned(),
@@ -94,7 +95,7 @@ fn shows_shadows(surface: &dyn Surface) -> bool {
 }
 
 fn glints(plan: &Plan<'_>) -> Decision {
-    let is_lit = |index: usize| plan.unlit.iter().any(|unlit| unlit[index].is_none());
+    let is_lit = |index: usize| plan.lights.iter().any(|it| it.unlit[index].is_none());
     let shiny: Vec<_> = surfaces(plan, |surface| surface.common().material.has_glints()).collect();
     let lit: Vec<_> = shiny.iter().filter(|(index, _)| is_lit(*index)).collect();
     let why = match (shiny.len(), lit.len()) {
@@ -177,7 +178,7 @@ fn of_surfaces(
     let calling: Vec<_> = surfaces(plan, calls).collect();
     let seen: Vec<_> = calling
         .iter()
-        .filter(|(index, _)| plan.seen[*index].is_seen())
+        .filter(|(index, _)| plan.reachability[*index].is_reached())
         .collect();
     let why = match (calling.len(), seen.len()) {
         (0, _) => format!("no surface has {attribute}"),
@@ -193,11 +194,11 @@ fn of_surfaces(
 
 /// What is called for by lights that light something.
 fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) -> Decision {
-    let lights = plan.scene.lights.iter().zip(&plan.unlit);
+    let lights = plan.scene.lights.iter().zip(&plan.lights);
     let calling: Vec<_> = lights.filter(|(light, _)| calls(light)).collect();
     let useful = calling
         .iter()
-        .filter(|(_, unlit)| unlit.iter().any(Option::is_none));
+        .filter(|(_, it)| it.unlit.iter().any(Option::is_none));
     let causes: Vec<_> = useful.map(|(light, _)| Cause::of_light(light)).collect();
     let title = effect.title();
     let why = match (calling.len(), causes.len()) {

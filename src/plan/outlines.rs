@@ -49,9 +49,9 @@ impl Outlines {
     ) -> Self {
         let mut lines = Vec::new();
         for surface in surfaces {
-            let corners = match surface.round() {
+            let corners = match surface.shape().round() {
                 Some(round) => silhouette(camera.viewpoint(), round),
-                None => surface.outline(),
+                None => surface.shape().outline(),
             };
             let images: Vec<_> = corners.into_iter().map(|it| camera.image(it)).collect();
             let ends = images.iter().cycle().skip(1);

@@ -1,16 +1,16 @@
-//! Which surfaces any ray can meet.
+//! The ways in which rays can reach a surface.
 
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::accel::{ScreenBounds, overhang};
 use crate::camera::Camera;
 use crate::math::error_bounds::APART;
 use crate::math::{Bounds, Flat, Point, Side};
 use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
+use crate::visibility::{ScreenBounds, shared_border_error};
 
-/// How a ray can come to meet a surface.
+/// The way in which rays can reach a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reachability {
@@ -22,29 +22,29 @@ pub enum Reachability {
     Never,
 }
 
-/// The most pairs of one that sends rays on and another surface that are looked at; of more, every
-/// surface is taken for one that can be met.
+/// The largest number of pairs of a surface that sends rays on and another surface that are examined.
+///
+/// In larger scenes every surface counts as one that can be reached.
 const MOST_PAIRS: usize = 1 << 20;
 
 impl Reachability {
-    /// How rays can meet each surface of a scene: from the eye where the camera sees it, and from
-    /// surfaces that send rays on. Without `sight` all are taken to be in sight.
+    /// The reachability of each surface: from the camera, and from surfaces that send rays on.
     ///
-    /// A flat surface mirrors rays to the side that they come from, and lets them through to the other
-    /// one; what lies wholly on the side to which none go is not met by them. Something round
-    /// sends rays anywhere.
+    /// Without screen bounds all count as visible. A flat surface reflects rays to the side that they
+    /// come from and lets them through to the other, and reaches nothing that lies wholly on a side to
+    /// which none go. A round surface sends rays anywhere.
     pub(super) fn all(
         scene: &Scene,
-        sight: Option<&ScreenBounds<'_>>,
+        screen_bounds: Option<&ScreenBounds<'_>>,
         camera: &Camera,
     ) -> Vec<Self> {
         let count = scene.surfaces.len();
-        let Some(sight) = sight else {
+        let Some(screen_bounds) = screen_bounds else {
             return vec![Self::Directly; count];
         };
         let RenderSettings { width, height, .. } = scene.settings;
-        let in_sight = sight.seen([width, height], count);
-        let mut seen: Vec<_> = in_sight
+        let is_visible = screen_bounds.visible([width, height], count);
+        let mut seen: Vec<_> = is_visible
             .into_iter()
             .map(|seen| if seen { Self::Directly } else { Self::Never })
             .collect();
@@ -55,24 +55,24 @@ impl Reachability {
             }
             return seen;
         }
-        let mut spread = Spread::new(scene, seen);
-        spread.arrive_from_eye(&Point::exact(camera.viewpoint()));
-        while let Some((sender, side)) = spread.waiting.pop() {
-            spread.send_on(sender, side);
+        let mut propagation = Propagation::new(scene, seen);
+        propagation.arrive_from_eye(&Point::exact(camera.viewpoint()));
+        while let Some((sender, side)) = propagation.waiting.pop() {
+            propagation.send_on(sender, side);
         }
-        spread.seen
+        propagation.seen
     }
 
-    /// Whether any ray can meet it.
+    /// Returns whether any ray can hit it.
     #[must_use]
-    pub fn is_seen(self) -> bool {
+    pub fn is_reached(self) -> bool {
         self != Self::Never
     }
 }
 
 /// Rays on their way from surface to surface.
 #[derive(Debug)]
-struct Spread<'s> {
+struct Propagation<'s> {
     surfaces: &'s [Box<dyn Surface>],
     /// A box in which each surface is met; `None` if it has no end.
     boxes: Vec<Option<Bounds>>,
@@ -84,7 +84,7 @@ struct Spread<'s> {
     waiting: Vec<(usize, Side)>,
 }
 
-impl<'s> Spread<'s> {
+impl<'s> Propagation<'s> {
     fn new(scene: &'s Scene, seen: Vec<Reachability>) -> Self {
         let surfaces = &scene.surfaces[..];
         Self {
@@ -100,7 +100,8 @@ impl<'s> Spread<'s> {
     fn arrive_from_eye(&mut self, eye: &Point) {
         for (index, surface) in self.surfaces.iter().enumerate() {
             for side in SIDES {
-                let is_here = surface.flat().is_none() || surface.side(eye) != other(side);
+                let is_here =
+                    surface.shape().carrier().is_none() || surface.shape().side(eye) != other(side);
                 if self.seen[index] == Reachability::Directly && is_here {
                     self.arrive(index, side);
                 }
@@ -123,7 +124,7 @@ impl<'s> Spread<'s> {
             }
             for side in SIDES {
                 let start = self.boxes[sender].as_ref();
-                let flat = surface.flat();
+                let flat = surface.shape().carrier();
                 if flat.is_none_or(|flat| !is_beyond(start, flat, other(side))) {
                     self.arrive(index, side);
                 }
@@ -152,8 +153,8 @@ fn sends_on(surface: &dyn Surface) -> bool {
 
 /// A box in which a surface is met; `None` if it has no end.
 fn met_within(surface: &dyn Surface) -> Option<Bounds> {
-    let Bounds { min, max } = surface.bounds()?;
-    let beside = DVec3::splat(overhang(surface));
+    let Bounds { min, max } = surface.shape().bounds()?;
+    let beside = DVec3::splat(shared_border_error(surface));
     Some(Bounds {
         min: min - beside,
         max: max + beside,
@@ -162,7 +163,7 @@ fn met_within(surface: &dyn Surface) -> Option<Bounds> {
 
 /// Whether a ray that arrives at a surface from one side can go on to one, and meet what is in a box there.
 fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -> bool {
-    let Some(flat) = sender.flat() else {
+    let Some(flat) = sender.shape().carrier() else {
         return true;
     };
     let material = &sender.common().material;

@@ -85,8 +85,8 @@ fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
 fn strength(surface: &dyn Surface, light: &Light, lighting: Lighting) -> [f64; 2] {
     let emissivity = light.emissivity.largest();
     let fades = |distance: f64| 1.0 / lighting.falloff.divisor(distance);
-    if let Some(flat) = surface.flat() {
-        if surface.side(&Point::exact(light.location)) != Side::Front {
+    if let Some(flat) = surface.shape().carrier() {
+        if surface.shape().side(&Point::exact(light.location)) != Side::Front {
             return [0.0, 0.0];
         }
         // At height h, light from a distance d comes in with the cosine h/d: both are at their
@@ -94,7 +94,7 @@ fn strength(surface: &dyn Surface, light: &Light, lighting: Lighting) -> [f64; 2
         let height = flat.normal.dot(light.location - flat.point);
         return [emissivity * fades(height), emissivity];
     }
-    let nearest = surface.round().map_or(0.0, |[center, axes]| {
+    let nearest = surface.shape().round().map_or(0.0, |[center, axes]| {
         // Made a ball of radius 1, no way becomes longer than by the shortest half axis.
         let outside = ((light.location - center) / axes).length() - 1.0;
         outside.max(0.0) * axes.min_element()

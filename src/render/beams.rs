@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
+use super::tracer::Interaction;
 use super::{RayKind, Tracer};
-use crate::accel::Entry;
 use crate::camera::{Pattern, Places, Share};
-use crate::math::{Beam, Ray, Rgb};
-use crate::surface::Hit;
+use crate::geometry::Hit;
+use crate::math::{Beam, Rgb};
 use crate::texture::Filter;
+use crate::visibility::Primitive;
 
 impl Tracer<'_> {
     /// The beam from the eye through a place of the picture: through the ray's share of its pixel.
@@ -34,34 +35,33 @@ impl Tracer<'_> {
 
     /// What a beam shows of the texture of what it meets.
     #[cold]
-    pub(super) fn texel_over(&self, entry: &Entry<'_>, hit: &Hit, beam: &Beam) -> Rgb {
+    pub(super) fn texel_over(&self, primitive: &Primitive<'_>, hit: &Hit, beam: &Beam) -> Rgb {
         let filter = self.plan.filter;
         filter.map_or(hit.texel, |filter| {
-            entry.surface.texel_over(hit, beam, filter)
+            primitive.surface.texel_over(hit, beam, filter)
         })
     }
 
-    /// The beam behind a surface that a ray met, of which rays go on in this direction.
+    /// The beam behind a surface that reflects or transmits a ray in this direction.
     ///
-    /// Straight through is the same beam; behind a flat mirror it is exact, behind a round one right
-    /// to first order. Where light is bent, the beam is as wide as if it were not.
+    /// Straight through it is the same beam. Behind a flat mirror it is exact, behind a round one right
+    /// to first order. A refracted beam is as wide as if it were not refracted.
     #[cold]
     pub(super) fn onward(
         &self,
         beam: &Beam,
-        entry: &Entry<'_>,
-        (ray, hit): (&Ray, &Hit),
-        (kind, onward): (RayKind, DVec3),
+        at: &Interaction<'_, '_>,
+        kind: RayKind,
+        onward: DVec3,
     ) -> Beam {
-        // Classic surfaces have no shape to ask for.
-        let surface = &self.plan.scene.surfaces[entry.index];
-        match (kind, surface.flat(), surface.round()) {
-            (RayKind::Mirror, Some(flat), _) => beam.mirrored_by(flat),
+        let shape = at.primitive.surface.shape();
+        match (kind, shape.carrier(), shape.round()) {
+            (RayKind::Mirror, Some(plane), _) => beam.mirrored_by(plane),
             (RayKind::Mirror, None, Some([center, axes])) => {
-                beam.mirrored_at(hit.point.about(center), hit.normal, axes)
+                beam.mirrored_at(at.hit.point.about(center), at.hit.normal, axes)
             }
-            _ if onward == ray.dir => *beam,
-            _ => beam.turned(hit.point, onward),
+            _ if onward == at.ray.dir => *beam,
+            _ => beam.turned(at.hit.point, onward),
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use std::iter::Sum;
 
-use super::{Errors, Probe, RayKind, Unfollowed};
-use crate::surface::Hit;
+use super::{Event, Probe, Unfollowed};
 
 /// What can be said of how right a picture is: the largest errors.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -19,23 +18,25 @@ pub struct Certificate {
 }
 
 impl Probe for Certificate {
-    fn not_followed(&mut self, _kind: RayKind, why: Unfollowed) {
-        if let Unfollowed::Capped(missed) = why {
-            self.largest_residual = self.largest_residual.max(missed);
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::NotFollowed(_, Unfollowed::Capped(missed)) => {
+                self.largest_residual = self.largest_residual.max(missed);
+            }
+            Event::Hit(_, _, errors) => {
+                let largest = if errors.bounces == 0 {
+                    &mut self.largest_error
+                } else {
+                    &mut self.largest_bounced_error
+                };
+                *largest = largest.max(errors.place);
+            }
+            _ => {}
         }
     }
 
     fn follows_errors(&self) -> bool {
         true
-    }
-
-    fn met(&mut self, _surface: usize, _hit: &Hit, errors: Errors) {
-        let largest = if errors.bounces == 0 {
-            &mut self.largest_error
-        } else {
-            &mut self.largest_bounced_error
-        };
-        *largest = largest.max(errors.place);
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::iter::Sum;
 
-use super::{Probe, RayKind, Unfollowed};
-use crate::math::{Decisions, Rgb};
+use super::{Event, Probe, RayKind, Unfollowed};
+use crate::math::Decisions;
 
 /// How much work a picture took.
 #[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
@@ -108,46 +108,35 @@ impl Counts {
 }
 
 impl Probe for Counts {
-    fn ray(&mut self, kind: RayKind, _share: Rgb) {
-        match kind {
-            RayKind::Camera => self.camera_rays += 1,
-            RayKind::Shadow => self.shadow_rays += 1,
-            RayKind::Lamp => self.lamp_rays += 1,
-            RayKind::Mirror => self.mirror_rays += 1,
-            RayKind::Transmitted => self.transmitted_rays += 1,
+    #[inline(always)]
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Ray(RayKind::Camera, _) => self.camera_rays += 1,
+            Event::Ray(RayKind::Shadow, _) => self.shadow_rays += 1,
+            Event::Ray(RayKind::Lamp, _) => self.lamp_rays += 1,
+            Event::Ray(RayKind::Mirror, _) => self.mirror_rays += 1,
+            Event::Ray(RayKind::Transmitted, _) => self.transmitted_rays += 1,
+            Event::NotFollowed(_, Unfollowed::Capped(_)) => self.capped_rays += 1,
+            Event::NotFollowed(_, Unfollowed::TooFaint(missed)) if missed > 0.0 => {
+                self.faint_rays += 1;
+            }
+            Event::HitTests(count) => self.hit_tests += count,
+            Event::OcclusionTests(light, count) => {
+                self.occlusion_tests += count;
+                match self.occlusion_tests_of.get_mut(light) {
+                    Some(of_light) => *of_light += count,
+                    None => *self.reach_light(light) += count,
+                }
+            }
+            Event::Decisions(decisions) => self.decisions = self.decisions + decisions,
+            Event::TexelFetches(count) => self.texel_fetches += count,
+            Event::NotFollowed(..)
+            | Event::Hit(..)
+            | Event::Light(..)
+            | Event::OwnColor { .. }
+            | Event::OwnShare(_)
+            | Event::Returned(_) => {}
         }
-    }
-
-    fn not_followed(&mut self, _kind: RayKind, why: Unfollowed) {
-        match why {
-            Unfollowed::Capped(_) => self.capped_rays += 1,
-            Unfollowed::TooFaint(missed) if missed > 0.0 => self.faint_rays += 1,
-            Unfollowed::TooFaint(_) | Unfollowed::BeyondReach => {}
-        }
-    }
-
-    fn only_counts(&self) -> bool {
-        true
-    }
-
-    fn hit_tests(&mut self, count: u64) {
-        self.hit_tests += count;
-    }
-
-    fn occlusion_tests(&mut self, light: usize, count: u64) {
-        self.occlusion_tests += count;
-        match self.occlusion_tests_of.get_mut(light) {
-            Some(of_light) => *of_light += count,
-            None => *self.reach_light(light) += count,
-        }
-    }
-
-    fn decisions(&mut self, decisions: Decisions) {
-        self.decisions = self.decisions + decisions;
-    }
-
-    fn texel_fetches(&mut self, count: u64) {
-        self.texel_fetches += count;
     }
 }
 

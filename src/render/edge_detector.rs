@@ -1,11 +1,12 @@
 //! What the rays through a pixel meet, as far as it tells how many more it takes.
 
-use super::{Arrival, Errors, Probe, RayKind};
+use super::{Arrival, Event, Probe, RayKind};
 use crate::camera::Camera;
+use crate::geometry::Hit;
 use crate::math::{Rgb, scramble};
 use crate::plan::{Plan, Unlit};
 use crate::scene::{Falloff, Scene};
-use crate::surface::{Hit, Surface};
+use crate::surface::Surface;
 
 /// Notes how far rays from the eye go before they meet something, and whether they all find the same.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +82,19 @@ impl<'a> EdgeDetector<'a> {
 }
 
 impl Probe for EdgeDetector<'_> {
-    fn ray(&mut self, kind: RayKind, share: Rgb) {
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Ray(kind, share) => self.start(kind, share),
+            Event::Returned(_) => self.idle = self.idle.saturating_sub(1),
+            Event::Hit(surface, hit, _) => self.hit(surface, hit),
+            Event::Light(light, arrival) => self.light(light, arrival),
+            _ => {}
+        }
+    }
+}
+
+impl EdgeDetector<'_> {
+    fn start(&mut self, kind: RayKind, share: Rgb) {
         match kind {
             RayKind::Camera => {
                 self.farthest = self.farthest();
@@ -97,11 +110,7 @@ impl Probe for EdgeDetector<'_> {
         }
     }
 
-    fn came_back(&mut self, _color: Rgb) {
-        self.idle = self.idle.saturating_sub(1);
-    }
-
-    fn met(&mut self, surface: usize, hit: &Hit, _errors: Errors) {
+    fn hit(&mut self, surface: usize, hit: &Hit) {
         if self.is_under_way {
             let way = hit.point.from(self.camera.viewpoint());
             self.farthest = self.farthest.max(self.camera.depth(way));
@@ -126,11 +135,11 @@ impl Probe for EdgeDetector<'_> {
             Arrival::Lamp { color, passed } => (color, passed),
             _ => return,
         };
-        // What nothing is seen of may be planned or not.
+        // Light that is not visible may be planned or not.
         if self.idle == 0 && self.answers && !color.is_black() {
             self.note([light as u64]);
             self.note(bits(what));
-            // It comes from another side to each place.
+            // Its direction varies from point to point.
             self.is_exact = false;
         }
     }
@@ -143,7 +152,7 @@ impl Probe for EdgeDetector<'_> {
 fn is_shown_exactly(surface: &dyn Surface) -> bool {
     let material = &surface.common().material;
     let has_image = surface.texture().is_some();
-    let is_shown = match surface.flat() {
+    let is_shown = match surface.shape().carrier() {
         Some(_) => material.ior.is_none() && !(has_image && material.transparency > 0.0),
         None => !has_image && !material.sends_on(),
     };

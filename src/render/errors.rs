@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::scattering::{Scattering, times};
+use crate::geometry::{Hit, Shape};
 use crate::math::Ray;
 use crate::math::error_bounds::FOOT;
-use crate::surface::{Hit, Surface};
 
 /// What rounding may have done to a path by the time it meets a surface.
 ///
@@ -31,10 +31,10 @@ impl Errors {
     /// Where a ray passes beside its way, its hit slides along the surface: by as much as that, divided by
     /// the cosine of the angle to the normal.
     #[must_use]
-    pub fn at(self, ray: &Ray, hit: &Hit, surface: &dyn Surface) -> Self {
+    pub fn at(self, ray: &Ray, hit: &Hit, shape: &Shape) -> Self {
         let (_, start) = ray.origin.seen_from(hit.point.anchor);
         let rounding = FOOT * (start + hit.point.offset.abs().element_sum());
-        let slip = surface.slip() * surface.error(ray, hit) + rounding;
+        let slip = shape.point_error() * shape.distance_error(ray, hit) + rounding;
         let beside = self.beside + times(self.direction, hit.t);
         let slide = times(beside, 1.0 / ray.dir.dot(hit.normal).abs());
         Self {
@@ -47,14 +47,8 @@ impl Errors {
     /// The errors behind a surface that sends the path on, which came along this unit direction.
     #[must_use]
     #[inline(never)]
-    pub fn behind(
-        self,
-        surface: &dyn Surface,
-        turn: Scattering,
-        dir: DVec3,
-        normal: DVec3,
-    ) -> Self {
-        let curvature = surface.round().map_or(0.0, |[_, axes]| {
+    pub fn behind(self, shape: &Shape, turn: Scattering, dir: DVec3, normal: DVec3) -> Self {
+        let curvature = shape.round().map_or(0.0, |[_, axes]| {
             // An ellipse is most curved at the ends of its long axis.
             axes.max_element() / axes.min_element().powi(2)
         });
@@ -73,8 +67,8 @@ impl Errors {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Plane, Sphere};
     use crate::math::{Point, Span};
-    use crate::surface::{Common, Plane, Sphere};
 
     fn falling(angle: f64) -> DVec3 {
         DVec3::new(libm::sin(angle), -libm::cos(angle), 0.0)
@@ -88,8 +82,7 @@ mod tests {
             beside: 1e-7,
             ..Errors::default()
         };
-        let common = Common::black(None, None);
-        let ball = Sphere::new(common, DVec3::ZERO, 1.0, None).expect("a ball");
+        let ball = Shape::from(Sphere::new(DVec3::ZERO, 1.0).expect("a ball"));
         let behind = before.behind(&ball, Scattering::Straight, falling(0.3), DVec3::Y);
         assert_eq!(
             behind,
@@ -102,12 +95,12 @@ mod tests {
 
     #[test]
     fn a_ray_beside_its_way_slides_along_the_surface() {
-        let floor = Plane::new(Common::black(None, None), DVec3::ZERO, DVec3::Y).expect("a plane");
+        let floor = Shape::from(Plane::new(DVec3::ZERO, DVec3::Y).expect("a plane"));
         for angle in (0..157).map(|hundredth| f64::from(hundredth) / 100.0) {
             let dir = falling(angle);
             let beside = 1e-3;
             let from = |start: DVec3| Ray::new(Point::exact(start - dir), dir);
-            let hit = |ray: &Ray| floor.hits(ray, Span::AHEAD).expect("the floor");
+            let hit = |ray: &Ray| floor.intersect(ray, Span::AHEAD).expect("the floor");
             let errors = Errors {
                 beside,
                 ..Errors::default()

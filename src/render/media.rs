@@ -32,7 +32,7 @@ pub(super) struct Boundary<'a> {
     /// Where light that passes goes on; `None` if none does.
     pub(super) onward: Option<DVec3>,
     /// How it goes on there.
-    pub(super) turn: Scattering,
+    pub(super) scattering: Scattering,
     /// What it is inside of then.
     pub(super) beyond: Media<'a>,
 }
@@ -51,7 +51,7 @@ impl<'a> Media<'a> {
                 mirrored: material.specular,
                 passing: 1.0,
                 onward: Some(dir),
-                turn: Scattering::Straight,
+                scattering: Scattering::Straight,
                 beyond: *self,
             },
             Some(index) => self.refracting(index, material.is_entered(), dir, normal),
@@ -81,10 +81,10 @@ impl<'a> Media<'a> {
             mirrored: Rgb::WHITE * reflectance,
             passing: 1.0 - reflectance,
             onward: bent,
-            turn: if from.to_bits() == into.to_bits() {
+            scattering: if from.to_bits() == into.to_bits() {
                 Scattering::Straight
             } else {
-                Scattering::Bent(from / into)
+                Scattering::Refracted(from / into)
             },
             beyond,
         }

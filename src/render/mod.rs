@@ -24,7 +24,7 @@ pub use both::Both;
 pub use certificate::Certificate;
 pub use counts::Counts;
 pub use errors::Errors;
-pub use probe::{Arrival, Probe, RayKind, Unfollowed};
+pub use probe::{Arrival, Event, Probe, RayKind, Unfollowed};
 pub use scattering::Scattering;
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
@@ -41,131 +41,131 @@ use crate::film::{EncodedImage, Film, Format, Region};
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
-use crate::scene::{RenderSettings, Scene};
-use crate::surface::classic;
+use crate::scene::Scene;
 
-/// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
+/// Stack of a thread that renders, in bytes: room for the longest path of reflected rays.
 pub const STACK: usize = 16 << 20;
 
 /// Renders a scene on the current thread pool, and counts the work.
 ///
-/// `progress` is told how many of the picture's rows are done; it may be called from any thread.
-/// The film does not depend on the number of threads.
+/// `progress` is called with the number of finished rows, from any thread. The film does not depend on
+/// the number of threads.
 ///
 /// # Errors
-/// Refuses a camera that cannot exist and a picture that memory cannot hold.
+/// Returns an error for a camera that cannot exist, and for a picture that memory cannot hold.
 pub fn render(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, Counts), ValueError> {
-    observed(scene, Scope::CalledFor, progress)
+    Render::new(scene).progress(progress).film()
 }
 
-/// Renders a scene like [`render`], and finds out how right the picture is.
-///
-/// # Errors
-/// As [`render`].
-pub fn certify(
-    scene: &Scene,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, Both<Counts, Certificate>), ValueError> {
-    observed(scene, Scope::CalledFor, progress)
-}
-
-/// Renders a scene with an onlooker of any kind for each row of pixels, and adds up what they saw;
-/// neither the film nor the sum depends on the number of threads.
-///
-/// # Errors
-/// As [`render`].
-pub fn observed<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
-    scope: Scope,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    observed_part(scene, scope, whole(&scene.settings), progress)
-}
-
-/// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
-/// [`observed`].
-///
-/// # Errors
-/// As [`render`]; and refuses a part that is not one.
-pub fn observed_part<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
+/// A picture to be rendered: a scene, and the part and the scope that are asked for.
+#[expect(
+    missing_debug_implementations,
+    reason = "a function has no form to show"
+)]
+#[derive(Clone, Copy)]
+pub struct Render<'a> {
+    scene: &'a Scene,
     scope: Scope,
     part: Region,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    part.check_within([scene.settings.width, scene.settings.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    drawn_part(
-        &Plan::new(scene, classic.as_deref(), scope)?,
-        part,
-        progress,
-    )
+    progress: &'a (dyn Fn(usize) + Sync),
 }
 
-/// Renders a scene as it is planned; for the rest as [`observed`].
-///
-/// # Errors
-/// Refuses a picture that memory cannot hold.
-pub fn drawn<P: Probe + Default + Send + Sum>(
-    plan: &Plan<'_>,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    drawn_part(plan, whole(&plan.scene.settings), progress)
-}
-
-fn drawn_part<P: Probe + Default + Send + Sum>(
-    plan: &Plan<'_>,
-    part: Region,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
-    let painter = Painter::new(plan, part, progress);
-    let together = part.width * painter.together;
-    let rows = film.pixels_mut().par_chunks_mut(together).enumerate();
-    let seen = rows
-        .map(|(number, pixels)| painter.paint(number * painter.together, pixels))
-        .sum();
-    Ok((film, seen))
-}
-
-/// Renders a part of a scene's picture like [`observed_part`], but keeps nothing but what a file of this
-/// format holds.
-///
-/// # Errors
-/// As [`observed_part`].
-pub fn printed_part<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
-    scope: Scope,
-    part: Region,
-    format: Format,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(EncodedImage, P), ValueError> {
-    part.check_within([scene.settings.width, scene.settings.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), scope)?;
-    let encoding = scene.settings.encoding();
-    let print = EncodedImage::new([part.width, part.height], format, encoding);
-    let mut print = print.ok_or_else(|| no_memory(part))?;
-    let painter = Painter::new(&plan, part, progress);
-    let rows = print.rows().chunks(painter.together).enumerate();
-    let paper = || vec![Rgb::BLACK; part.width * painter.together];
-    let seen = rows.map_init(paper, |pixels, (number, kept)| {
-        let pixels = &mut pixels[..part.width * kept.len()];
-        let seen = painter.paint(number * painter.together, pixels);
-        for (mut kept, pixels) in kept.into_iter().zip(pixels.chunks(part.width)) {
-            kept.encode_row(pixels);
+impl<'a> Render<'a> {
+    /// The whole picture of a scene, with the effects that it calls for.
+    #[must_use]
+    pub fn new(scene: &'a Scene) -> Self {
+        Self {
+            scene,
+            scope: Scope::CalledFor,
+            part: Region::whole([scene.settings.width, scene.settings.height]),
+            progress: &|_| (),
         }
-        seen
-    });
-    let seen = seen.sum();
-    Ok((print, seen))
-}
+    }
 
-fn whole(picture: &RenderSettings) -> Region {
-    Region::whole([picture.width, picture.height])
+    /// The same with this scope.
+    #[must_use]
+    pub fn scope(self, scope: Scope) -> Self {
+        Self { scope, ..self }
+    }
+
+    /// A part of the picture, each pixel of which is as in the whole.
+    #[must_use]
+    pub fn part(self, part: Region) -> Self {
+        Self { part, ..self }
+    }
+
+    /// Calls a function with the number of finished rows, from any thread.
+    #[must_use]
+    pub fn progress(self, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self { progress, ..self }
+    }
+
+    /// Renders the picture, and sums up what a probe observes in each row.
+    ///
+    /// Neither depends on the number of threads.
+    ///
+    /// # Errors
+    /// Returns an error for a camera that cannot exist, for a part outside of the picture, and for a
+    /// picture that memory cannot hold.
+    pub fn film<P: Probe + Default + Send + Sum>(self) -> Result<(Film, P), ValueError> {
+        self.planned(&self.plan()?)
+    }
+
+    /// Renders the picture by a plan of its scene; for the rest as [`film`](Self::film).
+    ///
+    /// # Errors
+    /// Returns an error for a picture that memory cannot hold.
+    pub fn planned<P: Probe + Default + Send + Sum>(
+        self,
+        plan: &Plan<'_>,
+    ) -> Result<(Film, P), ValueError> {
+        let part = self.part;
+        let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
+        let painter = Painter::new(plan, part, self.progress);
+        let together = part.width * painter.together;
+        let rows = film.pixels_mut().par_chunks_mut(together).enumerate();
+        let observed = rows
+            .map(|(number, pixels)| painter.paint(number * painter.together, pixels))
+            .sum();
+        Ok((film, observed))
+    }
+
+    /// Renders the picture like [`film`](Self::film), and keeps only the numbers of a file format.
+    ///
+    /// # Errors
+    /// As [`film`](Self::film).
+    pub fn encoded<P: Probe + Default + Send + Sum>(
+        self,
+        format: Format,
+    ) -> Result<(EncodedImage, P), ValueError> {
+        let (plan, part) = (self.plan()?, self.part);
+        let encoding = self.scene.settings.encoding();
+        let image = EncodedImage::new([part.width, part.height], format, encoding);
+        let mut image = image.ok_or_else(|| no_memory(part))?;
+        let painter = Painter::new(&plan, part, self.progress);
+        let rows = image.rows().chunks(painter.together).enumerate();
+        let blank = || vec![Rgb::BLACK; part.width * painter.together];
+        let observed = rows.map_init(blank, |pixels, (number, encoded)| {
+            let pixels = &mut pixels[..part.width * encoded.len()];
+            let observed = painter.paint(number * painter.together, pixels);
+            for (mut row, pixels) in encoded.into_iter().zip(pixels.chunks(part.width)) {
+                row.encode_row(pixels);
+            }
+            observed
+        });
+        let observed = observed.sum();
+        Ok((image, observed))
+    }
+
+    /// The plan of the scene, if the part lies in its picture.
+    fn plan(&self) -> Result<Plan<'a>, ValueError> {
+        let settings = &self.scene.settings;
+        self.part.check_within([settings.width, settings.height])?;
+        Plan::new(self.scene, self.scope)
+    }
 }
 
 /// The refusal of a picture that memory cannot hold.

@@ -7,11 +7,11 @@ use crate::math::error_bounds::UNIT;
 pub enum Scattering {
     /// In its own direction, bit for bit.
     Straight,
-    /// Mirrored.
-    Mirrored,
+    /// Reflected.
+    Reflected,
     /// Bent, between media whose indices of refraction have this ratio, that before the surface to that
     /// behind it.
-    Bent(f64),
+    Refracted(f64),
 }
 
 impl Scattering {
@@ -22,8 +22,8 @@ impl Scattering {
     pub(super) fn behind(self, [beside, direction]: [f64; 2], tilt: f64, cosine: f64) -> [f64; 2] {
         let [beside, direction] = match self {
             Self::Straight => [beside, direction],
-            Self::Mirrored => [beside, mirrored(direction, tilt)],
-            Self::Bent(ratio) => bent([beside, direction], tilt, ratio, cosine),
+            Self::Reflected => [beside, mirrored(direction, tilt)],
+            Self::Refracted(ratio) => bent([beside, direction], tilt, ratio, cosine),
         };
         // What holds to first order says nothing of large angles.
         let is_small = direction < 1.0;
@@ -107,8 +107,10 @@ mod tests {
     fn turned(dir: DVec3, normal: DVec3, turn: Scattering) -> Option<DVec3> {
         match turn {
             Scattering::Straight => Some(dir),
-            Scattering::Mirrored => Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal)),
-            Scattering::Bent(ratio) => Refraction::new(dir, normal, ratio, 1.0).bent,
+            Scattering::Reflected => {
+                Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal))
+            }
+            Scattering::Refracted(ratio) => Refraction::new(dir, normal, ratio, 1.0).bent,
         }
     }
 
@@ -136,9 +138,9 @@ mod tests {
     fn what_is_off_before_a_surface_is_off_behind_it_by_no_more_than_said() {
         let mut compared = 0;
         let turns = RATIOS
-            .map(Scattering::Bent)
+            .map(Scattering::Refracted)
             .into_iter()
-            .chain([Scattering::Mirrored, Scattering::Straight]);
+            .chain([Scattering::Reflected, Scattering::Straight]);
         for turn in turns {
             for angle in angles() {
                 for (off, tilt) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, 1e-6), (1e-6, 1e-9)] {
@@ -151,7 +153,7 @@ mod tests {
                         found <= said * (1.0 + 1e-5) + 1e-15,
                         "{found} {said} {turn:?} {angle}"
                     );
-                    if let Scattering::Bent(ratio) = turn
+                    if let Scattering::Refracted(ratio) = turn
                         && ratio * libm::sin(angle) > 0.999
                     {
                         continue;
@@ -172,14 +174,14 @@ mod tests {
         let critical = libm::asin(1.0 / 1.5);
         let near = |below: f64, beside: f64, tilt: f64, direction: f64| {
             let cosine = libm::cos(critical - below);
-            Scattering::Bent(1.5).behind([beside, direction], tilt, cosine)
+            Scattering::Refracted(1.5).behind([beside, direction], tilt, cosine)
         };
         assert!(near(1e-9, 0.0, 0.0, 0.0)[1] < 1e-9);
         assert!(near(1e-9, 0.0, 0.0, 1e-8)[1].is_infinite());
         let turns = [
-            Scattering::Mirrored,
-            Scattering::Bent(1.5),
-            Scattering::Bent(0.5),
+            Scattering::Reflected,
+            Scattering::Refracted(1.5),
+            Scattering::Refracted(0.5),
             Scattering::Straight,
         ];
         for off in [0.0, 1e-300, 1e-9, 1.0, 1e300, f64::INFINITY] {
@@ -240,7 +242,7 @@ mod tests {
                         [0, 1, 2].map(|axis| (big(bent[axis]) - &exact[axis]).to_f64().value());
                     let apart = DVec3::from(apart).length();
                     let cosine = dir.dot(normal).abs().min(1.0);
-                    let [_, said] = Scattering::Bent(ratio).behind([0.0; 2], 0.0, cosine);
+                    let [_, said] = Scattering::Refracted(ratio).behind([0.0; 2], 0.0, cosine);
                     assert!(apart <= said, "{apart} {said}");
                     most = most.max(apart);
                     least_said = least_said.min(said);
@@ -256,7 +258,7 @@ mod tests {
 
     #[test]
     fn what_slides_along_a_surface_leaves_beside_its_way() {
-        for (angle, turn) in angles().zip(RATIOS.map(Scattering::Bent).into_iter().cycle()) {
+        for (angle, turn) in angles().zip(RATIOS.map(Scattering::Refracted).into_iter().cycle()) {
             let (dir, beside) = (falling(angle), 1e-3);
             let Some(bent) = turned(dir, DVec3::Y, turn) else {
                 continue;

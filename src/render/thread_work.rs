@@ -1,6 +1,6 @@
 //! Work that is counted where it is done, out of the sight of onlookers.
 
-use super::Probe;
+use super::{Event, Probe};
 use crate::math::Decisions;
 use crate::texture::fetched_by_this_thread;
 
@@ -24,7 +24,7 @@ impl ThreadWork {
     /// Tells an onlooker what this same thread has done since then.
     pub fn tell(self, probe: &mut impl Probe) {
         let now = Self::until_now();
-        probe.decisions(now.decisions - self.decisions);
-        probe.texel_fetches(now.texel_fetches - self.texel_fetches);
+        probe.on(Event::Decisions(now.decisions - self.decisions));
+        probe.on(Event::TexelFetches(now.texel_fetches - self.texel_fetches));
     }
 }

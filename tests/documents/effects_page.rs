@@ -81,16 +81,16 @@ fn in_the_rooms_no_shadow_ray_is_tested_against_floor_or_wall() {
         count += 1;
         let reading = read_file(path, &Options::default()).expect("a file");
         let scene = reading.expect("a scene").scene;
-        let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a possible camera");
+        let plan = Plan::new(&scene, Scope::CalledFor).expect("a possible camera");
         let name = |surface: usize| {
             let name = &scene.surfaces[surface].common().name;
             name.clone().unwrap_or_default()
         };
         let names: Vec<_> = (0..scene.surfaces.len()).map(name).collect();
         let mut casters = Vec::new();
-        for view in &plan.light_views {
+        for planned in &plan.lights {
             for surface in 0..names.len() {
-                casters.extend(view.casters_of(surface).into_iter().map(name));
+                casters.extend(planned.view.occluders_of(surface).into_iter().map(name));
             }
         }
         for big in ["floor", "wall"] {

@@ -3,14 +3,17 @@
 //! `HELIODON_TREE_SCENES=10000 cargo test --release --test exactness accelerators` draws that many
 //! random scenes.
 
+use std::sync::Arc;
+
 use glam::DVec3;
-use heliodon::accel::{Accelerator, Between, LampView, LightView, SurfaceList};
 use heliodon::film::Film;
 use heliodon::math::{Point, Ray, RayOrigin, Rgb, Segment, Span, unit};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, drawn};
+use heliodon::render::{Counts, Render};
 use heliodon::scene::Scene;
+use heliodon::surface::Lamp;
+use heliodon::visibility::{Accelerator, Emitter, LightView, Occlusion, Silhouettes, SurfaceList};
 use rayon::prelude::*;
 use support::random::Random;
 use support::scenes::crowds;
@@ -25,8 +28,8 @@ fn scene(text: &str) -> Scene {
 }
 
 fn picture(scene: &Scene, scope: Scope, accelerator: Accelerator) -> (Film, Counts) {
-    let plan = Plan::with(scene, None, scope, accelerator).expect("a possible camera");
-    drawn(&plan, &|_| ()).expect("memory")
+    let plan = Plan::with(scene, scope, accelerator).expect("a possible camera");
+    Render::new(scene).planned(&plan).expect("memory")
 }
 
 fn bits(film: &Film) -> Vec<[u64; 3]> {
@@ -63,8 +66,11 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             .map(|accelerator| SurfaceList::with(&scene.surfaces, accelerator));
         let mut random = Random::of(0x7ee, *seed);
         let corners = scene.surfaces.iter().flat_map(|surface| {
-            let bounds = surface.bounds().map(|bounds| bounds.corners().to_vec());
-            [surface.outline(), bounds.unwrap_or_default()].concat()
+            let bounds = surface
+                .shape()
+                .bounds()
+                .map(|bounds| bounds.corners().to_vec());
+            [surface.shape().outline(), bounds.unwrap_or_default()].concat()
         });
         let corners: Vec<_> = corners.collect();
         let any = |random: &mut Random| {
@@ -72,8 +78,10 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             corners[random.below(count) as usize]
         };
         let light = any(&mut random) + random.cube();
-        let views = [&list, &tree]
-            .map(|found| LightView::all(found, [light].into_iter(), false, |_, _| true));
+        let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
+        let views = [&list, &tree].map(|found| {
+            LightView::new(found, &silhouettes, Emitter::Point(light), true, |_| true)
+        });
         (0..2000).any(|_| {
             let from = any(&mut random);
             let from = if random.once_in(2) {
@@ -98,7 +106,7 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             let Some((index, hit)) = met[0] else {
                 return met[1].is_some();
             };
-            let entry = &list.entries()[index];
+            let entry = &list.primitives()[index];
             let ray_origin = entry.ray_origin(&ray, &hit);
             let bounced = Ray::spawn(&ray_origin, ray.mirrored(hit.normal));
             let then = [&list, &tree].map(|found| {
@@ -107,9 +115,13 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             });
             let passed = Segment::new(&ray_origin, light).map(|segment| {
                 [0, 1].map(|which| {
-                    let before = views[which][0].before(entry);
-                    let blockers = before?.blockers(&hit, &segment.ray);
-                    blockers.map(|blockers| blockers.transmittance(&segment, &mut 0))
+                    let receiver = views[which].receiver(entry)?;
+                    match receiver.occlusion(&hit, &segment.ray, true) {
+                        Occlusion::Partial(occluders) => {
+                            Some(occluders.transmittance(&segment, &mut 0))
+                        }
+                        Occlusion::None | Occlusion::Full => None,
+                    }
                 })
             });
             met[0] != met[1] || then[0] != then[1] || passed.is_some_and(|both| both[0] != both[1])
@@ -136,20 +148,21 @@ fn pictures_of_random_scenes_with_lamps_are_the_same() {
 
 /// What passes between a hit and points of a lamp.
 fn shares(
-    view: &LampView<'_>,
-    between: &Between<'_, '_>,
+    lamp: &Lamp,
+    occlusion: &Occlusion<'_, '_>,
     ray_origin: &RayOrigin<'_>,
     normal: DVec3,
 ) -> Vec<Rgb> {
     let places = [[0.0, 0.0], [0.9, 0.1], [0.2, 0.8], [0.5, 0.5], [1.0, 1.0]];
-    let samples = places.map(|at| view.lamp.sample(&ray_origin.point, normal, at.into()));
+    let samples = places.map(|at| lamp.sample(&ray_origin.point, normal, at.into()));
     let seen = samples.into_iter().filter(|(_, weight)| *weight > 0.0);
-    let share = |(end, _)| match between {
-        Between::Nothing => Rgb::WHITE,
-        Between::Wall => Rgb::BLACK,
-        Between::Some(casters) => Segment::new(ray_origin, end).map_or(Rgb::WHITE, |segment| {
-            casters.transmittance(&segment, &mut 0)
-        }),
+    let share = |(end, _)| match occlusion {
+        Occlusion::None => Rgb::WHITE,
+        Occlusion::Full => Rgb::BLACK,
+        Occlusion::Partial(occluders) => Segment::new(ray_origin, end)
+            .map_or(Rgb::WHITE, |segment| {
+                occluders.transmittance(&segment, &mut 0)
+            }),
     };
     seen.map(share).collect()
 }
@@ -162,9 +175,20 @@ fn places_get_the_same_shares_of_lamps() {
         let [list, tree] = [Accelerator::List, Accelerator::Tree]
             .map(|accelerator| SurfaceList::with(&scene.surfaces, accelerator));
         let mut random = Random::of(0x1a3b6, *seed);
-        let views = [(&list, true), (&list, false), (&tree, false)]
-            .map(|(found, all)| LampView::all(found, &scene.surfaces, all));
-        let outlines = scene.surfaces.iter().map(|surface| surface.outline());
+        let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
+        let views = [(&list, true), (&list, false), (&tree, false)].map(|(found, all)| {
+            let views = Emitter::lamps(found).map(|emitter| {
+                let source = emitter.silhouette();
+                let receiver = |surface: usize| silhouettes.of(&found.primitives()[surface]);
+                let is_lit = |surface: usize| source.can_light(receiver(surface));
+                LightView::new(found, &silhouettes, emitter, all, is_lit)
+            });
+            views.collect::<Vec<_>>()
+        });
+        let outlines = scene
+            .surfaces
+            .iter()
+            .map(|surface| surface.shape().outline());
         let corners: Vec<_> = outlines.flatten().collect();
         (0..400).any(|_| {
             let count = u32::try_from(corners.len()).expect("a few");
@@ -182,14 +206,16 @@ fn places_get_the_same_shares_of_lamps() {
             };
             let ray_origin = entry.ray_origin(&ray, &hit);
             let spawn = Ray::spawn(&ray_origin, hit.normal);
-            (0..views[0].len()).any(|lamp| {
-                let arriving = views[0][lamp].lamp.form_factor(&hit.point, hit.normal);
-                if !views[0][lamp].lights(entry) || arriving == 0.0 {
+            (0..views[0].len()).any(|number| {
+                let lamp = views[0][number].lamp().expect("a lamp");
+                let arriving = lamp.form_factor(&hit.point, hit.normal);
+                if views[0][number].receiver(entry).is_none() || arriving == 0.0 {
                     return false;
                 }
                 let all = views.each_ref().map(|views| {
-                    let between = views[lamp].between(entry, &spawn, true);
-                    shares(&views[lamp], &between, &ray_origin, hit.normal)
+                    let receiver = views[number].receiver(entry).expect("as in the first");
+                    let occlusion = receiver.occlusion(&hit, &spawn, true);
+                    shares(lamp, &occlusion, &ray_origin, hit.normal)
                 });
                 all[0] != all[1] || all[1] != all[2]
             })

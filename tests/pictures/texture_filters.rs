@@ -5,7 +5,7 @@ use std::path::Path;
 
 use heliodon::film::Film;
 use heliodon::plan::Scope;
-use heliodon::render::{Counts, observed};
+use heliodon::render::{Counts, Render};
 use heliodon::scene::{Scene, Setting};
 use heliodon::texture::Filter;
 use image::{Rgb, RgbImage, imageops};
@@ -28,7 +28,7 @@ fn scene(text: &str, folder: &Path, filter: Filter, samples: u32) -> Scene {
 }
 
 fn drawn(scene: &Scene) -> (Film, Counts) {
-    observed(scene, Scope::CalledFor, &|_| ()).expect("a picture")
+    Render::new(scene).film().expect("a picture")
 }
 
 fn film(text: &str, folder: &Path, filter: Filter) -> Film {
@@ -219,7 +219,12 @@ fn threads_and_what_is_left_out_change_nothing() {
             let scene = scene(&text, folder.path(), filter, 2);
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
             let pool = pool.expect("threads");
-            pool.install(|| observed::<Counts>(&scene, scope, &|_| ()).expect("a picture"))
+            pool.install(|| {
+                Render::new(&scene)
+                    .scope(scope)
+                    .film::<Counts>()
+                    .expect("a picture")
+            })
         };
         let (one, counts) = draw(1, Scope::CalledFor);
         let nearest = filter == Filter::Nearest;

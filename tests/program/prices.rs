@@ -9,7 +9,6 @@ use heliodon::plan::{Effect, Plan, Scope};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::{Counts, render};
 use heliodon::scene::Scene;
-use heliodon::surface::classic;
 use support::files::files;
 use support::shell::heliodon;
 
@@ -50,8 +49,7 @@ fn draw(scene: &Scene) -> (Film, Counts) {
 }
 
 fn effects(scene: &Scene) -> Vec<Effect> {
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor).expect("a possible camera");
+    let plan = Plan::new(scene, Scope::CalledFor).expect("a possible camera");
     let decisions = plan.decisions().into_iter();
     let on = decisions.filter(|decision| decision.on);
     on.map(|decision| decision.effect).collect()

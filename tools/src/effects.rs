@@ -17,8 +17,8 @@ const SIZE: [u32; 2] = [240, 180];
 
 /// How the lines begin between which the measured part stands.
 const MARKS: [&str; 2] = [
-    "<!-- What follows is measured by",
-    "<!-- The end of what is measured",
+    "<!-- Start of the measured part",
+    "<!-- End of the measured part",
 ];
 
 /// The scenes of the project, in the order of their names.
@@ -69,11 +69,13 @@ fn elisions(lists: &[List]) -> String {
     let [width, height] = SIZE;
     let runs = lists.first().map_or(0, |list| list.prices.runs);
     let mut text = format!(
-        "\nMeasured at {width} × {height} pixels with the scenes' own `samples`: medians of {runs} \
-         runs, in turn, ± their median\nabsolute deviation, in processor time of one thread. \
-         Planning the scene is a part of it, reading it is not.\n\n\
-         ## What is left out\n\n\
-         | scene | shadow rays | tests of each | time | with everything | tests of each | time | takes |\n\
+        "\nMeasured at {width} × {height} pixels with each scene's own `samples`. Times are \
+         processor time of one thread: medians of {runs} runs, in\nturn, ± their median absolute \
+         deviation. Planning a scene is included; reading it is not.\n\n\
+         ## Measured savings of the plan\n\n\
+         The columns on the right are for `--simulate-everything`. The last one is the ratio of \
+         the two times.\n\n\
+         | scene | shadow rays | tests per ray | time | shadow rays | tests per ray | time | ratio |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     for list in lists {
@@ -99,11 +101,11 @@ fn elisions(lists: &[List]) -> String {
 
 /// What the effects cost, a table for each scene.
 fn effects(lists: &[List]) -> String {
-    let mut text = "\n## What each effect costs\n".to_owned();
+    let mut text = "\n## Measured price of each effect\n".to_owned();
     for list in lists {
         let samples = match list.samples {
-            1 => "1 ray through each pixel".to_owned(),
-            some => format!("{some} rays through each pixel"),
+            1 => "1 ray per pixel".to_owned(),
+            some => format!("{some} rays per pixel"),
         };
         let _ = write!(
             text,

@@ -31,9 +31,8 @@ use serde::Serialize;
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::plan::{Effect, Plan, Scope};
-use crate::render::{Counts, observed};
+use crate::render::{Counts, Render};
 use crate::scene::{RenderSettings, Scene};
-use crate::surface::classic;
 use measured::Subject;
 use spots::Spots;
 
@@ -188,7 +187,7 @@ fn warm_up(scene: &mut Scene, ladder: &Ladder) -> Result<(), ValueError> {
 /// Draws a scene with other settings of its picture, and gives it back its own.
 fn draw(scene: &mut Scene, picture: RenderSettings) -> Result<(Film, Counts), ValueError> {
     let own = std::mem::replace(&mut scene.settings, picture);
-    let drawn = observed(scene, Scope::CalledFor, &|_| ());
+    let drawn = Render::new(scene).film();
     scene.settings = own;
     drawn
 }
@@ -198,8 +197,7 @@ fn draw(scene: &mut Scene, picture: RenderSettings) -> Result<(Film, Counts), Va
 /// # Errors
 /// Refuses a camera that cannot exist.
 pub fn effects_of(scene: &Scene) -> Result<Vec<Effect>, ValueError> {
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let on = plan.decisions().into_iter().filter(|decision| decision.on);
     Ok(on.map(|decision| decision.effect).collect())
 }

@@ -5,9 +5,8 @@ use serde::Serialize;
 
 use crate::language::ValueError;
 use crate::plan::{Plan, Scope};
-use crate::render::{Arrival, Probe, RayKind, Tracer};
+use crate::render::{Arrival, Event, Probe, Tracer};
 use crate::scene::Scene;
-use crate::surface::Hit;
 
 /// What is in a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -69,23 +68,21 @@ struct Track {
 }
 
 impl Probe for Track {
-    fn met(&mut self, surface: usize, _hit: &Hit, _errors: crate::render::Errors) {
-        self.met.push(surface);
-    }
-
-    fn light(&mut self, light: usize, arrival: Arrival) {
-        if arrival == Arrival::Hidden {
-            self.hidden[usize::from(self.met.len() > 1)].push(light);
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Hit(surface, ..) => self.met.push(surface),
+            Event::Light(light, Arrival::Hidden) => {
+                self.hidden[usize::from(self.met.len() > 1)].push(light);
+            }
+            _ => {}
         }
     }
-
-    fn ray(&mut self, _kind: RayKind, _share: crate::math::Rgb) {}
 }
 
 impl Spots {
     /// Looks at the middle of every pixel and at its neighbours.
     pub(super) fn of(scene: &Scene) -> Result<Self, ValueError> {
-        let plan = Plan::new(scene, None, Scope::CalledFor)?;
+        let plan = Plan::new(scene, Scope::CalledFor)?;
         let tracer = Tracer::new(&plan);
         let (width, height) = (
             scene.settings.width as usize,

@@ -2,8 +2,7 @@
 
 use std::iter::Sum;
 
-use heliodon::plan::Scope;
-use heliodon::render::{Probe, RayKind, Unfollowed, observed};
+use heliodon::render::{Event, Probe, Render, Unfollowed};
 use heliodon::scene::Scene;
 
 use super::{differing, scene};
@@ -13,8 +12,8 @@ use super::{differing, scene};
 struct Missed(Vec<f64>);
 
 impl Probe for Missed {
-    fn not_followed(&mut self, _kind: RayKind, why: Unfollowed) {
-        if let Unfollowed::TooFaint(missed) = why {
+    fn on(&mut self, event: Event<'_>) {
+        if let Event::NotFollowed(_, Unfollowed::TooFaint(missed)) = event {
             self.0.push(missed);
         }
     }
@@ -46,7 +45,7 @@ fn with_mirror(wall: &str, behind: &str) -> Scene {
 /// Lets each of a scene's rays be the last one, by a hair, that is followed or not.
 fn is_the_same_at_every_brink(mut scene: Scene) {
     scene.settings.cut_off = 1.0;
-    let (_, Missed(missed)) = observed(&scene, Scope::CalledFor, &|_| ()).expect("a camera");
+    let (_, Missed(missed)) = Render::new(&scene).film().expect("a camera");
     assert_eq!(missed.len(), 16 * 12);
     for missed in missed {
         for cut_off in [missed, missed.next_down()] {

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use heliodon::film::Film;
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, observed};
+use heliodon::render::{Counts, Render};
 use heliodon::scene::Scene;
 use rayon::prelude::*;
 use support::files::files;
@@ -36,8 +36,12 @@ fn scene(text: &str) -> Result<Scene, String> {
 }
 
 fn pictures(scene: &Scene) -> [(Film, Counts); 2] {
-    [Scope::CalledFor, Scope::Everything]
-        .map(|scope| observed(scene, scope, &|_| ()).expect("a possible camera"))
+    [Scope::CalledFor, Scope::Everything].map(|scope| {
+        Render::new(scene)
+            .scope(scope)
+            .film()
+            .expect("a possible camera")
+    })
 }
 
 fn bits(film: &Film) -> Vec<[u64; 3]> {

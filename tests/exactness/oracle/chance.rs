@@ -42,7 +42,7 @@ fn random_rays_nearly_along_a_plane_need_hardly_any_exact_arithmetic() {
     for scene in 0..count() / 10 {
         let mut random = Random::of(SEED, scene);
         let surface = cases::surface(&mut random, Style::Uniform, 1.0);
-        let Some(flat) = surface.flat().copied() else {
+        let Some(flat) = surface.shape().carrier().copied() else {
             continue;
         };
         tally.observe_within(|_| {

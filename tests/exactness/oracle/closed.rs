@@ -1,6 +1,6 @@
 //! Neighbours share their seams, and rooms are closed.
 
-use heliodon::accel::{Accelerator, SurfaceList};
+use heliodon::visibility::{Accelerator, SurfaceList};
 
 use super::equality::{SEED, cases, verdict};
 use oracle::floors::Floor;

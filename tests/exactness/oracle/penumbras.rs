@@ -1,10 +1,12 @@
 //! Where nothing, or all of a lamp, is said to be hidden, no ray finds anything else.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
-use heliodon::accel::{Between, LampView, SurfaceList};
 use heliodon::language::Node;
 use heliodon::math::{Point, Ray, Rgb, Segment, Span, unit};
 use heliodon::surface::Lamp;
+use heliodon::visibility::{Emitter, LightView, Occlusion, Silhouettes, SurfaceList};
 
 use super::equality::{SEED, cases};
 use super::shades::{Place, aimed};
@@ -30,12 +32,19 @@ fn what_is_known_of_a_lamp_without_a_ray_is_what_rays_find() {
         let lamp = lamp(&mut random, &place);
         surfaces.push(Box::new(lamp));
         let list = SurfaceList::new(&surfaces);
-        let [all, fewer] = [true, false].map(|all| LampView::all(&list, &surfaces, all).remove(0));
+        let silhouettes = Arc::new(Silhouettes::new(surfaces.len()));
+        let emitter = Emitter::lamps(&list).next().expect("a lamp");
+        let source = emitter.silhouette();
+        let is_lit = |surface: usize| {
+            let receiver = silhouettes.of(&list.primitives()[surface]);
+            source.can_light(receiver)
+        };
+        let [all, fewer] =
+            [true, false].map(|all| LightView::new(&list, &silhouettes, emitter, all, is_lit));
+        let lamp = emitter.lamp().expect("a lamp");
         let eye = place.free(&mut random);
         for _ in 0..EACH {
-            let light = all
-                .lamp
-                .sample(&Point::exact(eye), DVec3::Z, DVec2::splat(0.5));
+            let light = lamp.sample(&Point::exact(eye), DVec3::Z, DVec2::splat(0.5));
             let Some(dir) = unit(aimed(&mut random, &surfaces, light.0.world()) - eye) else {
                 continue;
             };
@@ -43,21 +52,24 @@ fn what_is_known_of_a_lamp_without_a_ray_is_what_rays_find() {
             let Some((entry, hit)) = list.nearest(&seen, Span::AHEAD, &mut 0) else {
                 continue;
             };
-            if entry.surface.lamp().is_some() || !all.lights(entry) {
+            let (Some(all), Some(fewer)) = (all.receiver(entry), fewer.receiver(entry)) else {
+                continue;
+            };
+            if entry.surface.lamp().is_some() {
                 continue;
             }
             let ray_origin = entry.ray_origin(&seen, &hit);
             let spawn = Ray::spawn(&ray_origin, hit.normal);
-            let known = fewer.between(entry, &spawn, true);
+            let known = fewer.occlusion(&hit, &spawn, true);
             match known {
-                Between::Nothing => open += 1,
-                Between::Wall => walls += 1,
-                Between::Some(_) => {}
+                Occlusion::None => open += 1,
+                Occlusion::Full => walls += 1,
+                Occlusion::Partial(_) => {}
             }
-            let asked = all.between(entry, &spawn, true);
+            let asked = all.occlusion(&hit, &spawn, true);
             for _ in 0..PLACES {
                 let at = DVec2::from([0; 2].map(|_| random.share()));
-                let (end, weight) = all.lamp.sample(&hit.point, hit.normal, at);
+                let (end, weight) = lamp.sample(&hit.point, hit.normal, at);
                 let segment = Segment::new(&ray_origin, end);
                 let Some(segment) = segment.filter(|_| weight > 0.0) else {
                     continue;
@@ -78,11 +90,11 @@ fn what_is_known_of_a_lamp_without_a_ray_is_what_rays_find() {
 }
 
 /// The share of light that passes along a segment to a lamp.
-fn passed(between: &Between<'_, '_>, segment: &Segment<'_>) -> Rgb {
-    match between {
-        Between::Nothing => Rgb::WHITE,
-        Between::Wall => Rgb::BLACK,
-        Between::Some(casters) => casters.transmittance(segment, &mut 0),
+fn passed(occlusion: &Occlusion<'_, '_>, segment: &Segment<'_>) -> Rgb {
+    match occlusion {
+        Occlusion::None => Rgb::WHITE,
+        Occlusion::Full => Rgb::BLACK,
+        Occlusion::Partial(casters) => casters.transmittance(segment, &mut 0),
     }
 }
 

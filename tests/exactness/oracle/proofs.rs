@@ -1,7 +1,8 @@
 //! Bounds that are as wide as their proofs say, whatever a search finds.
 
 use glam::{DVec2, DVec3};
-use heliodon::math::{Crossing, Decisions, Flat, Point, Ray, RayOrigin, Rectangle, Span, UNIT};
+use heliodon::geometry::Rectangle;
+use heliodon::math::{Crossing, Decisions, Flat, Point, Ray, RayOrigin, Span, UNIT};
 
 /// Each bound is at least what the longest path of its expression can round, in the worst case of
 /// all roundings at once, which no search finds.
@@ -69,11 +70,8 @@ fn first_certain(side: f64, height: f64) -> f64 {
     let is_certain = |place: f64| {
         let from = DVec3::new(place, place, height);
         let before = Decisions::of_this_thread();
-        let hit = square.hits(
-            &Ray::new(Point::exact(from), DVec3::NEG_Z),
-            Span::AHEAD,
-            |t, _, _| t,
-        );
+        let down = Ray::new(Point::exact(from), DVec3::NEG_Z);
+        let hit = square.intersect(&down, Span::AHEAD);
         assert!(hit.is_some(), "{place}");
         Decisions::of_this_thread() == before
     };

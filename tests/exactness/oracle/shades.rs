@@ -1,9 +1,12 @@
 //! Where a surface cannot put another one into shadow it is not asked, and does not.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
-use heliodon::accel::{Before, LightView, SurfaceList};
+use heliodon::geometry::{Hit, Rectangle};
 use heliodon::math::{Point, Ray, Rgb, Segment, Side, Span, unit};
-use heliodon::surface::{FinitePlane, Hit, share};
+use heliodon::surface::{Plain, share};
+use heliodon::visibility::{Emitter, LightView, Occlusion, Receiver, Silhouettes, SurfaceList};
 
 use super::equality::{SEED, cases};
 use oracle::cases::{Boxed, letting_through, rectangle, rim, round, triangle};
@@ -21,13 +24,15 @@ fn what_is_not_asked_hides_nothing() {
         let surfaces = place.furniture(&mut random);
         let list = SurfaceList::new(&surfaces);
         let [light, eye] = [0; 2].map(|_| place.free(&mut random));
-        let is_before = |_, surface: usize| {
+        let is_before = |surface: usize| {
             let surface = &surfaces[surface];
-            surface.flat().is_none() || surface.side(&Point::exact(light)) == Side::Front
+            surface.shape().carrier().is_none()
+                || surface.shape().side(&Point::exact(light)) == Side::Front
         };
-        let view =
-            |elides| LightView::all(&list, std::iter::once(light), elides, is_before).remove(0);
-        let (all, fewer) = (view(false), view(true));
+        let silhouettes = Arc::new(Silhouettes::new(surfaces.len()));
+        let emitter = Emitter::Point(light);
+        let view = |all| LightView::new(&list, &silhouettes, emitter, all, is_before);
+        let (all, fewer) = (view(true), view(false));
         for _ in 0..EACH {
             let Some(dir) = unit(aimed(&mut random, &surfaces, light) - eye) else {
                 continue;
@@ -43,7 +48,7 @@ fn what_is_not_asked_hides_nothing() {
             if segment.ray.dir.dot(hit.normal) <= 0.0 {
                 continue;
             }
-            let (Some(all), Some(fewer)) = (all.before(entry), fewer.before(entry)) else {
+            let (Some(all), Some(fewer)) = (all.receiver(entry), fewer.receiver(entry)) else {
                 continue;
             };
             let (mut tests, mut fewer_tests) = (0, 0);
@@ -60,11 +65,12 @@ fn what_is_not_asked_hides_nothing() {
 }
 
 /// The share of light that passes what is before it.
-fn passed(before: &Before<'_, '_>, hit: &Hit, segment: &Segment, tests: &mut u64) -> Rgb {
-    let blockers = before.blockers(hit, &segment.ray);
-    blockers.map_or(Rgb::WHITE, |blockers| {
-        blockers.transmittance(segment, tests)
-    })
+fn passed(receiver: &Receiver<'_, '_>, hit: &Hit, segment: &Segment, tests: &mut u64) -> Rgb {
+    match receiver.occlusion(hit, &segment.ray, true) {
+        Occlusion::None => Rgb::WHITE,
+        Occlusion::Full => Rgb::BLACK,
+        Occlusion::Partial(occluders) => occluders.transmittance(segment, tests),
+    }
 }
 
 /// Where a scene is and how large.
@@ -126,14 +132,9 @@ impl Place {
         let (normal, xdir) = (DVec3::AXES[axis], DVec3::AXES[(axis + 1) % 3]);
         let facing = random.pick(&[-1.0, 1.0]);
         let corner = self.moved(corner.into());
-        let made = FinitePlane::new(
-            letting_through(self.transparency),
-            corner,
-            normal * facing,
-            xdir,
-            size,
-        );
-        Box::new(made.expect("a rectangle"))
+        let made = Rectangle::new(corner, normal * facing, xdir, size);
+        let common = letting_through(self.transparency);
+        Box::new(Plain::new(common, made.expect("a rectangle")))
     }
 }
 
@@ -144,7 +145,7 @@ pub(super) fn aimed(random: &mut Random, surfaces: &[Boxed], light: DVec3) -> DV
     };
     let (caster, receiver) = (any(random), any(random));
     let place = border(random, caster, light);
-    let place = match receiver.flat() {
+    let place = match receiver.shape().carrier() {
         Some(flat) if random.once_in(2) => {
             let (height, fall) = (
                 flat.normal.dot(light - flat.point),
@@ -163,10 +164,10 @@ pub(super) fn aimed(random: &mut Random, surfaces: &[Boxed], light: DVec3) -> DV
 
 /// A place on the border of a surface, as seen from a light.
 fn border(random: &mut Random, surface: &Boxed, light: DVec3) -> DVec3 {
-    if let Some([center, axes]) = surface.round() {
+    if let Some([center, axes]) = surface.shape().round() {
         return rim(random, center, axes, light);
     }
-    let corners = surface.outline();
+    let corners = surface.shape().outline();
     let index = random.below(u32::try_from(corners.len()).unwrap_or(1)) as usize;
     let next = corners[(index + 1) % corners.len()];
     corners[index].lerp(next, random.pick(&[0.0, 0.5, random.clone().share()]))

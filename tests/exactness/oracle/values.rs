@@ -2,8 +2,8 @@
 
 use dashu_ratio::RBig;
 use glam::DVec3;
+use heliodon::geometry::{Plane, Shape};
 use heliodon::math::{Point, Ray, RayOrigin, Span, unit};
-use heliodon::surface::{Common, Plane, Surface};
 
 use super::equality::{SEED, cases as count};
 use super::proofs::{moment_bound, slope_bound};
@@ -61,8 +61,8 @@ fn moments_are_within_their_bound_which_is_used() {
 /// of `Rectangle`, whose axes would be rounded anew for each change.
 #[test]
 fn points_are_within_their_bound_which_is_used() {
-    let plane = Plane::new(Common::black(None, None), DVec3::ZERO, DVec3::Y);
-    let slip = plane.expect("a plane").slip();
+    let plane = Plane::new(DVec3::ZERO, DVec3::Y).expect("a plane");
+    let slip = Shape::from(plane).point_error();
     is_used("hit points of rectangles", |place| {
         let (flat, ray) = (place.flat(), place.ray());
         let crossing = flat.crossing(&ray)?;
@@ -93,7 +93,9 @@ fn points_of_rectangles_and_triangles_are_within_their_bound() {
     for case in 0..count() {
         let mut random = Random::of(SEED, case);
         let surface = cases::surface(&mut random, Style::Uniform, 1.0);
-        let Some(flat) = surface.flat() else { continue };
+        let Some(flat) = surface.shape().carrier() else {
+            continue;
+        };
         for _ in 0..8 {
             let dir = unit(random.cube()).unwrap_or(DVec3::X);
             let ray = Ray::new(Point::exact(random.cube() * 2.0), dir);
@@ -102,13 +104,13 @@ fn points_of_rectangles_and_triangles_are_within_their_bound() {
             };
             met += 1;
             let exact = truth::crosses(flat, &ray).expect("it was met");
-            let close = surface.error(&ray, &hit);
+            let close = surface.shape().distance_error(&ray, &hit);
             let share = Distance::Quotient(exact.clone()).share_of_error(hit.t, close);
             assert!(
                 share <= 1.0,
                 "{share} times the closer bound: {surface:?} {ray:?}"
             );
-            let slip = surface.slip() * hit.error;
+            let slip = surface.shape().point_error() * hit.error;
             let Some(share) = share_of_rounding(&exact, &ray, hit.point, slip) else {
                 continue;
             };

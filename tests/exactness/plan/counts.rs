@@ -2,7 +2,7 @@
 
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes, read_file};
-use heliodon::render::{Counts, observed, render};
+use heliodon::render::{Counts, Render, render};
 
 /// The work of a picture of 8 by 6 pixels that a white wall fills.
 fn counts(nodes: &str) -> Counts {
@@ -106,7 +106,7 @@ fn no_count_depends_on_threads_or_runs() {
             let counts = |threads| -> Counts {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
                 let pool = pool.build().expect("threads");
-                let drawn = pool.install(|| observed(&scene, scope, &|_| ()));
+                let drawn = pool.install(|| Render::new(&scene).scope(scope).film());
                 drawn.expect("a camera").1
             };
             let one = counts(1);

@@ -18,8 +18,8 @@ fn seen(nodes: &str) -> Vec<Reachability> {
     let text = format!("{HEAD}{nodes}").into_bytes();
     let reading = read_bytes("seen", text, PathBuf::new(), &Options::default());
     let scene = reading.expect("a scene").scene;
-    let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a camera");
-    plan.seen
+    let plan = Plan::new(&scene, Scope::CalledFor).expect("a camera");
+    plan.reachability
 }
 
 /// A square in sight that faces the eye, and balls behind it, before it, and touching its plane.

@@ -1,12 +1,12 @@
 //! What is known of many neighbouring rays at once changes neither the picture nor what is counted.
 
-use heliodon::accel::Ahead;
 use heliodon::camera::PixelSpan;
 use heliodon::film::Film;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Both, Certificate, Counts, Probe, Tracer, observed, pixel_color};
+use heliodon::render::{Both, Certificate, Counts, Probe, Render, Tracer, pixel_color};
 use heliodon::scene::Scene;
+use heliodon::visibility::Visible;
 
 const WIDTH: u64 = 75;
 const HEIGHT: u64 = 40;
@@ -31,7 +31,7 @@ fn drawn<P: Probe + Default + Send + std::iter::Sum>(
     scene: &Scene,
     scope: Scope,
 ) -> (Vec<[u64; 3]>, P) {
-    let (film, seen): (Film, P) = observed(scene, scope, &|_| ()).expect("a camera");
+    let (film, seen): (Film, P) = Render::new(scene).scope(scope).film().expect("a camera");
     let bits = film
         .pixels()
         .iter()
@@ -41,7 +41,7 @@ fn drawn<P: Probe + Default + Send + std::iter::Sum>(
 
 /// The picture pixel by pixel, as nothing is drawn in stretches then, and what is asked for it.
 fn pixel_by_pixel(scene: &Scene) -> (Vec<[u64; 3]>, u64) {
-    let plan = Plan::new(scene, None, Scope::CalledFor).expect("a camera");
+    let plan = Plan::new(scene, Scope::CalledFor).expect("a camera");
     let [width, height] = [WIDTH, HEIGHT].map(|it| usize::try_from(it).expect("a side"));
     let mut counts = Counts::default();
     let places = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
@@ -86,15 +86,18 @@ fn beside_all_that_can_be_seen_of_a_surface_a_stretch_has_nothing_ahead() {
     let scene = scene(&format!(
         "camera {{ viewpoint 0 0 9; look-at 0 0 0 }}\n{card}"
     ));
-    let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a camera");
-    let sight = plan.sight.as_ref().expect("one surface has no tree");
+    let plan = Plan::new(&scene, Scope::CalledFor).expect("a camera");
+    let sight = plan
+        .screen_bounds
+        .as_ref()
+        .expect("one surface has no tree");
     let ahead = |y: f64, first: u32| {
         let row = &plan.camera.row(y);
         let count = 5;
         match sight.along(&PixelSpan { row, first, count }) {
-            Ahead::Nothing => 0,
-            Ahead::One(_) => 1,
-            Ahead::Several => 2,
+            Visible::Nothing => 0,
+            Visible::One(_) => 1,
+            Visible::Several => 2,
         }
     };
     // The card is in the middle 11 columns and rows or so.

@@ -1,8 +1,8 @@
 //! Questions about whole pictures.
 
-use heliodon::accel::Accelerator;
 use heliodon::film::Film;
 use heliodon::math::Rgb;
+use heliodon::visibility::Accelerator;
 
 use super::cases::{self, Case, Node};
 use super::floor::Floor;

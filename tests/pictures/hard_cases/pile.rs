@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
-use heliodon::accel::SurfaceList;
+use heliodon::geometry::Rectangle;
 use heliodon::material::Material;
-use heliodon::math::{Rgb, Span};
-use heliodon::surface::{Common, FinitePlane, Surface, classic};
+use heliodon::math::{Numerics, Rgb, Span};
+use heliodon::surface::{Common, Plain, Surface};
+use heliodon::visibility::SurfaceList;
 
 use super::cases::Node;
 use super::numbers::triple;
@@ -30,15 +31,14 @@ pub(crate) fn pile(node: &Node, back_end: BackEnd) -> Answer {
     });
     let made = (0..count).map(|_| {
         let common = Common::new(material.clone());
-        FinitePlane::new(common, DVec3::ZERO, DVec3::Z, DVec3::X, DVec2::ONE)
-            .map(|plane| Box::new(plane) as Box<dyn Surface>)
+        Rectangle::new(DVec3::ZERO, DVec3::Z, DVec3::X, DVec2::ONE)
+            .map(|plane| Box::new(Plain::new(common, plane)) as Box<dyn Surface>)
             .map_err(|error| error.reason.to_string())
     });
     let surfaces = made.collect::<Result<Vec<_>, _>>()?;
-    let classic = classic::surfaces(&surfaces, back_end.numerics());
-    let list = match &classic {
-        Some(classic) => SurfaceList::without_sheets(classic),
-        None => SurfaceList::new(&surfaces),
+    let list = match back_end.numerics() {
+        Numerics::Robust => SurfaceList::new(&surfaces),
+        numerics => SurfaceList::classic(&surfaces, numerics),
     };
     let [origin, direction] = [origin, direction].map(|text| triple(text));
     let found = list.nearest(&ray(origin, direction), Span::AHEAD, &mut 0);

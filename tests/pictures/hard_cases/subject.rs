@@ -1,16 +1,17 @@
 //! The program under test: the only file here that knows how Heliodon is called.
 
-use heliodon::accel::{Accelerator, Entry, SurfaceList};
 pub(crate) use heliodon::film::{Encoding, Rounding, Transfer};
 use heliodon::film::{Film, Region};
+use heliodon::geometry::Hit;
 use heliodon::language::{Node, render_problems};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, SceneError, read_bytes};
-use heliodon::render::{Counts, drawn, observed_part, render};
+use heliodon::render::{Counts, Render, render};
 use heliodon::scene::{Scene, Setting};
-use heliodon::surface::{Hit, Surface, classic};
+use heliodon::surface::Surface;
+use heliodon::visibility::{Accelerator, Primitive, SurfaceList};
 
 use super::cases;
 
@@ -60,7 +61,6 @@ impl BackEnd {
 #[derive(Debug)]
 pub(crate) struct Subject {
     scene: &'static Scene,
-    surfaces: &'static [Box<dyn Surface>],
     numerics: Numerics,
 }
 
@@ -76,14 +76,13 @@ pub(crate) struct OutputError {
 /// Where a ray first meets a surface.
 #[derive(Debug)]
 pub(crate) struct Met {
-    entry: Entry<'static>,
+    entry: Primitive<'static>,
     hit: Hit,
 }
 
 /// A scene ready to be asked about rays.
 #[derive(Debug)]
 pub(crate) struct Stage {
-    surfaces: &'static [Box<dyn Surface>],
     list: SurfaceList<'static>,
     /// The same surfaces in a tree of boxes, if the numerics allow for it.
     tree: Option<SurfaceList<'static>>,
@@ -101,12 +100,7 @@ impl Subject {
         read.map(|reading| {
             let scene: &'static Scene = Box::leak(Box::new(reading.scene));
             let numerics = back_end.numerics();
-            let surfaces = classic::surfaces(&scene.surfaces, numerics);
-            Self {
-                scene,
-                surfaces: surfaces.map_or(&scene.surfaces, |classic| classic.leak()),
-                numerics,
-            }
+            Self { scene, numerics }
         })
         .map_err(|scene_error| OutputError::from(&scene_error))
     }
@@ -131,14 +125,14 @@ impl Subject {
 
     /// The scene ready to be asked about rays.
     pub(crate) fn stage(&self) -> Stage {
+        let surfaces = &self.scene.surfaces;
         Stage {
-            surfaces: self.surfaces,
             tree: (self.numerics == Numerics::Robust)
-                .then(|| SurfaceList::with(self.surfaces, Accelerator::Tree)),
+                .then(|| SurfaceList::with(surfaces, Accelerator::Tree)),
             list: match self.numerics {
-                Numerics::Robust => SurfaceList::with(self.surfaces, Accelerator::List),
+                Numerics::Robust => SurfaceList::with(surfaces, Accelerator::List),
                 Numerics::Classic | Numerics::ClassicF32 => {
-                    SurfaceList::without_sheets(self.surfaces)
+                    SurfaceList::classic(surfaces, self.numerics)
                 }
             },
         }
@@ -153,23 +147,17 @@ impl Subject {
     pub(crate) fn part(&self, from: [usize; 2], to: [usize; 2]) -> Result<Film, String> {
         let corners = [from, to].map(|corner| corner.map(|side| u32::try_from(side).unwrap()));
         Region::between(corners[0], corners[1])
-            .and_then(|part| observed_part::<Counts>(self.scene, Scope::CalledFor, part, &|_| ()))
+            .and_then(|part| Render::new(self.scene).part(part).film::<Counts>())
             .map(|(film, _)| film)
             .map_err(|error| error.reason.to_string())
     }
 
     /// The picture with surfaces found in this way, and nothing left out.
     pub(crate) fn picture_by(&self, accelerator: Accelerator) -> Result<Film, String> {
-        let classic = classic::surfaces(&self.scene.surfaces, self.numerics);
-        Plan::with(
-            self.scene,
-            classic.as_deref(),
-            Scope::Everything,
-            accelerator,
-        )
-        .and_then(|plan| drawn::<Counts>(&plan, &|_| ()))
-        .map(|(film, _)| film)
-        .map_err(|error| error.reason.to_string())
+        Plan::with(self.scene, Scope::Everything, accelerator)
+            .and_then(|plan| Render::new(self.scene).planned::<Counts>(&plan))
+            .map(|(film, _)| film)
+            .map_err(|error| error.reason.to_string())
     }
 }
 
@@ -207,16 +195,15 @@ impl Stage {
             assert_eq!(of_tree, of_list, "the tree and the list differ");
         }
         let (entry, hit) = found?;
+        let hit = hit.resolved(entry.resolve(&hit, ray));
         Some(Met { entry: *entry, hit })
     }
 
     /// The names of all surfaces that a ray meets, each asked by itself.
     pub(crate) fn every(&self, ray: &Ray<'static>) -> Vec<&'static str> {
-        let met = self
-            .surfaces
-            .iter()
-            .filter(|surface| surface.hits(ray, Span::AHEAD).is_some());
-        met.map(|surface| name(&**surface)).collect()
+        let primitives = self.list.primitives().iter();
+        let hit = primitives.filter(|it| it.hits(ray, Span::AHEAD).is_some());
+        hit.map(|it| name(it.surface)).collect()
     }
 }
 

@@ -8,14 +8,17 @@ mod touching;
 use heliodon::film::Film;
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, observed};
+use heliodon::render::{Counts, Render};
 
 /// The picture of a scene of which every ray counts and colours do not fade on the way to the eye.
 fn picture(text: &str, scope: Scope) -> (Film, Counts) {
     let text = format!("lighting {{ view-falloff \"none\" }}\n{text}");
     let reading = read_bytes("lamps", text.into_bytes(), "".into(), &Options::default());
     let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.problems));
-    observed(&reading.scene, scope, &|_| ()).expect("a possible picture")
+    Render::new(&reading.scene)
+        .scope(scope)
+        .film()
+        .expect("a possible picture")
 }
 
 /// The picture of a scene, as it is drawn.

@@ -1,11 +1,13 @@
 //! Round things that touch a lamp, or nearly do.
 
+use std::sync::Arc;
+
 use glam::DVec3;
-use heliodon::accel::{Between, LampView, SurfaceList};
 use heliodon::math::{Point, Ray, RayOrigin, Segment, Side, unit};
 use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
 use heliodon::scene::Scene;
+use heliodon::visibility::{Emitter, LightView, Occlusion, Silhouettes, SurfaceList};
 
 use super::{bits, picture};
 
@@ -138,21 +140,32 @@ fn from_the_lowest_place_that_is_said_to_see_all_of_a_lamp_all_of_it_is_seen() {
             material \"black\" { }\nplane { material \"black\"; point 0 0 0; normal 0 1 0 }";
         let scene = scene(&format!("{floor}\n{lamp}{thing}"));
         let surfaces = SurfaceList::new(&scene.surfaces);
-        let views = LampView::all(&surfaces, &scene.surfaces, false);
+        let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
+        let emitter = Emitter::lamps(&surfaces).next().expect("a lamp");
+        let view = LightView::new(&surfaces, &silhouettes, emitter, false, |_| true);
+        let floor = &surfaces.primitives()[0];
         let caster = &scene.surfaces[2];
-        assert_eq!(caster.side(&Point::exact(touch.into())), Side::On);
+        assert_eq!(caster.shape().side(&Point::exact(touch.into())), Side::On);
         let (touch, up) = (DVec3::from(touch), unit(up.into()).expect("a direction"));
         let along = unit(up.cross(DVec3::new(0.3, 0.1, 1.0))).expect("a direction");
         // A ray that arrives from above, and leaves the floor for the lamp.
         let arriving = Ray::new(Point::exact(DVec3::splat(-9.0)), DVec3::Y);
         let ray_origin = |height: f64, aside: f64| {
             let place = Point::exact(touch + along * aside + up * height);
-            RayOrigin::new(surfaces.entries()[0].sheet(), &arriving, place, 0.0)
+            RayOrigin::new((floor.carrier, floor.plane), &arriving, place, 0.0)
         };
         let is_open = |ray_origin: &RayOrigin| {
             let ray = Ray::spawn(ray_origin, DVec3::Y);
-            let between = views[0].between(&surfaces.entries()[0], &ray, true);
-            matches!(between, Between::Nothing)
+            let receiver = view.receiver(floor).expect("a floor before the lamp");
+            let hit = heliodon::geometry::Hit {
+                t: 1.0,
+                error: 0.0,
+                point: ray_origin.point,
+                normal: DVec3::Y,
+                uv: glam::DVec2::ZERO,
+                texel: heliodon::math::Rgb::WHITE,
+            };
+            matches!(receiver.occlusion(&hit, &ray, true), Occlusion::None)
         };
         for aside in [0.0, 0.7, -1.5, 3.0, 40.0] {
             let (mut low, mut high) = (0.0, 400.0);
@@ -175,7 +188,7 @@ fn from_the_lowest_place_that_is_said_to_see_all_of_a_lamp_all_of_it_is_seen() {
                     for sunk in [0.0, 1.0, 4.0, 16.0] {
                         let end = touch + off - up * sunk * f64::EPSILON * touch.length();
                         let segment = Segment::new(&ray_origin, end).expect("a way");
-                        let hides = caster.occludes(&segment, Side::Front);
+                        let hides = caster.shape().occludes(&segment, Side::Front);
                         assert!(!hides, "{thing} {aside} {power} {sunk}");
                     }
                 }

@@ -1,8 +1,8 @@
 //! Rays into round glass: in once, out once, and nothing between.
 
 use glam::DVec3;
-use heliodon::accel::SurfaceList;
 use heliodon::math::{Point, Ray, Refraction, Span, direction};
+use heliodon::visibility::SurfaceList;
 
 use super::tools::scene;
 

@@ -68,7 +68,7 @@ pub(super) fn wall(depth: f64, edge: f64) -> String {
 #[track_caller]
 pub(super) fn assert_edge(text: &str, slope: f64) {
     let scene = scene(&[EYE, text].concat());
-    let plan = Plan::new(&scene, None, Scope::CalledFor).unwrap();
+    let plan = Plan::new(&scene, Scope::CalledFor).unwrap();
     let tracer = Tracer::new(&plan);
     // The window reaches from −1 to 1 at depth 1, and its one pixel's centre is place 0.
     let bright = |slope: f64| tracer.sees(slope / 2.0, 0.0, &mut ()).g > 0.5;

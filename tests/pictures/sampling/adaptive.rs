@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use heliodon::film::{Film, Transfer};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, Tracer, observed, pixel_color};
+use heliodon::render::{Counts, Render, Tracer, pixel_color};
 use heliodon::scene::Scene;
 
 use super::scene;
 
 fn drawn(scene: &Scene) -> (Film, Counts) {
-    observed(scene, Scope::CalledFor, &|_| ()).expect("a possible camera")
+    Render::new(scene).film().expect("a possible camera")
 }
 
 fn of_text(text: &str) -> Scene {
@@ -122,7 +122,7 @@ fn an_outline_behind_what_is_seen_costs_nothing() {
 fn a_pixel_alone_is_as_in_the_picture() {
     let scene = scene("saucers-textured", [24, 18], &[("max-error", "4/255")]);
     let film = drawn(&scene).0;
-    let plan = Plan::new(&scene, None, Scope::CalledFor).expect("a possible camera");
+    let plan = Plan::new(&scene, Scope::CalledFor).expect("a possible camera");
     for (column, row) in [(0, 0), (11, 9), (12, 15), (23, 17)] {
         let alone = pixel_color(Tracer::new(&plan), &scene, column, row, &mut ());
         assert_eq!(alone, film.pixel(column, row), "{column},{row}");

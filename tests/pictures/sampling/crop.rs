@@ -1,8 +1,7 @@
 //! A part of a picture is what the whole has there.
 
 use heliodon::film::{Film, Region};
-use heliodon::plan::Scope;
-use heliodon::render::{Counts, observed, observed_part};
+use heliodon::render::{Counts, Render};
 use heliodon::scene::Scene;
 
 use super::scene;
@@ -16,15 +15,14 @@ fn bits(film: &Film, part: Region) -> Vec<[u64; 3]> {
 }
 
 fn assert_parts_are_as_in_the_whole(scene: &Scene, what: &str) {
-    let (whole, all): (Film, Counts) =
-        observed(scene, Scope::CalledFor, &|_| ()).expect("a possible camera");
+    let (whole, all): (Film, Counts) = Render::new(scene).film().expect("a possible camera");
     for (from, to) in [([0, 0], [7, 5]), ([13, 9], [32, 24]), ([20, 11], [21, 12])] {
         let part = Region::between(from, to).expect("some pixels");
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let pool = pool.build().expect("threads");
             let (film, counts): (Film, Counts) = pool
-                .install(|| observed_part(scene, Scope::CalledFor, part, &|_| ()))
+                .install(|| Render::new(scene).part(part).film())
                 .expect("a possible camera");
             let its_own = Region {
                 left: 0,
@@ -60,7 +58,7 @@ fn a_part_is_as_in_the_whole_for_every_dial() {
 fn a_part_lies_within_the_picture() {
     let scene = scene("room", [32, 24], &[]);
     let outside = Region::between([30, 0], [33, 4]).expect("some pixels");
-    let refused = observed_part::<Counts>(&scene, Scope::CalledFor, outside, &|_| ());
+    let refused = Render::new(&scene).part(outside).film::<Counts>();
     let error = refused.expect_err("it is not");
     assert_eq!(
         error.reason,

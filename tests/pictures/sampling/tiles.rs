@@ -5,9 +5,8 @@ use std::path::Path;
 
 use heliodon::film::{EncodedImage, Format, Region};
 use heliodon::language::Takes;
-use heliodon::plan::Scope;
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, observed_part, printed_part};
+use heliodon::render::{Counts, Render};
 use heliodon::scene::{RenderSettings, Scene, Setting};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -97,12 +96,12 @@ const NUMBERS: [(&str, &[&str]); 3] = [
 /// The bits of a part's pixels, and the bytes that a file of it holds.
 fn drawn(scene: &Scene, part: Region, threads: &ThreadPool) -> (Vec<[u64; 3]>, Vec<u8>) {
     threads.install(|| {
-        let film = observed_part::<Counts>(scene, Scope::CalledFor, part, &|_| ());
+        let film = Render::new(scene).part(part).film::<Counts>();
         let (film, _) = film.expect("a possible camera");
         let mut formats = Format::ALL.into_iter();
         let format = formats.find(|format| format.depth() == scene.settings.depth);
         let format = format.expect("a format for each depth");
-        let print = printed_part::<Counts>(scene, Scope::CalledFor, part, format, &|_| ());
+        let print = Render::new(scene).part(part).encoded::<Counts>(format);
         let (print, _): (EncodedImage, _) = print.expect("a possible camera");
         let pixels = film.pixels().iter();
         let bits = pixels.map(|pixel| pixel.channels().map(f64::to_bits));

@@ -16,9 +16,8 @@ use std::process::ExitCode;
 use clap::Parser;
 use cpu_time::ProcessTime;
 use heliodon::film::{Film, Format, Notes, Rounding, Transfer, save};
-use heliodon::plan::Scope;
 use heliodon::read::{Options, read_file};
-use heliodon::render::{Counts, STACK, observed};
+use heliodon::render::{Counts, Render, STACK};
 use heliodon::scene::{Scene, Setting};
 
 /// Compares adaptive with uniform sampling.
@@ -148,7 +147,7 @@ fn read(path: &Path, size: [u32; 2], settings: &[(&str, &str)]) -> Scene {
 /// The picture, the work, and the seconds that the processor took.
 fn draw(scene: &Scene) -> (Film, Counts, f64) {
     let start = ProcessTime::now();
-    let drawn = observed(scene, Scope::CalledFor, &|_| ()).expect("a possible camera");
+    let drawn = Render::new(scene).film().expect("a possible camera");
     (drawn.0, drawn.1, start.elapsed().as_secs_f64())
 }
 

@@ -13,8 +13,7 @@
 use clap::Parser;
 use cpu_time::ProcessTime;
 use heliodon::film::{Film, Region};
-use heliodon::plan::Scope;
-use heliodon::render::{Counts, STACK, observed};
+use heliodon::render::{Counts, Render, STACK};
 use support::floors::{
     self, HORIZON, LEVEL, Painter, TURNED, checker, folder, head, noise, scene, squares,
 };
@@ -93,7 +92,7 @@ fn compare(floor: &Floor, arguments: &Arguments) {
             ("pattern", "sobol"),
         ];
         let scene = scene(&text, folder.path(), &settings);
-        let (film, _) = observed::<Counts>(&scene, Scope::CalledFor, &|_| ()).expect("a picture");
+        let (film, _) = Render::new(&scene).film::<Counts>().expect("a picture");
         (film, start.elapsed().as_secs_f64())
     };
     let small = [24, 16];

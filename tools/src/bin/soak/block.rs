@@ -1,8 +1,8 @@
 //! One block of rays: what a thread does at a time.
 
 use glam::DVec3;
-use heliodon::accel::SurfaceList;
 use heliodon::math::{Point, Ray, Span, unit};
+use heliodon::visibility::SurfaceList;
 
 use super::options::{Kind, Options};
 use oracle::cases;
