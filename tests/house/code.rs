@@ -1,53 +1,76 @@
 //! Rust code without what is no code.
 
-/// The source with comments and the contents of texts taken out; lines stay lines.
+/// The code alone, with a space in place of each comment, text and letter in quotes; lines stay
+/// lines.
 pub(crate) fn code_of(source: &str) -> String {
     let mut code = String::new();
     let mut rest = source;
-    while let Some(first) = rest.chars().next() {
-        let skipped = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            rest.find("*/").map_or(rest.len(), |end| end + 2)
-        } else if rest.starts_with("r\"") || rest.starts_with("r#") {
-            let hashes = rest[1..].chars().take_while(|c| *c == '#').count();
-            let end = format!("\"{}", "#".repeat(hashes));
-            let start = hashes + 2;
-            let length = rest.get(start..).and_then(|text| text.find(&end));
-            length.map_or(start, |length| start + length + end.len())
-        } else if first == '"' {
-            end_of_text(rest)
-        } else if let Some(escaped) = rest.strip_prefix("'\\") {
-            // What is escaped may be the quote itself.
-            let end = escaped.char_indices().skip(1).find(|(_, c)| *c == '\'');
-            end.map_or(2, |(end, _)| end + 3)
-        } else if first == '\'' && rest.chars().nth(2) == Some('\'') {
-            rest.char_indices()
-                .nth(3)
-                .map_or(rest.len(), |(end, _)| end)
+    while let Some(letter) = rest.chars().next() {
+        let length = length_of_text(rest, code.chars().last());
+        if length == 0 {
+            code.push(letter);
+            rest = &rest[letter.len_utf8()..];
         } else {
-            code.push(first);
-            rest = &rest[first.len_utf8()..];
-            continue;
-        };
-        code.extend(rest[..skipped].chars().filter(|c| *c == '\n'));
-        rest = &rest[skipped..];
+            code.push(' ');
+            code.extend(rest[..length].chars().filter(|c| *c == '\n'));
+            rest = &rest[length..];
+        }
     }
     code
 }
 
-/// Where a text in quotes ends.
-fn end_of_text(rest: &str) -> usize {
-    let mut escaped = false;
-    for (index, c) in rest.char_indices().skip(1) {
-        match c {
-            _ if escaped => escaped = false,
-            '\\' => escaped = true,
-            '"' => return index + 1,
-            _ => {}
+/// The bytes of the comment, text or quoted letter at the beginning of a source; 0 if it is code.
+fn length_of_text(source: &str, before: Option<char>) -> usize {
+    let until = |mark: &str, from: usize| {
+        source[from..]
+            .find(mark)
+            .map_or(source.len(), |at| from + at + mark.len())
+    };
+    if source.starts_with("//") {
+        return source.find('\n').unwrap_or(source.len());
+    }
+    if source.starts_with("/*") {
+        return until("*/", 2);
+    }
+    let in_name = before.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
+    if let Some(raw) = source
+        .strip_prefix('r')
+        .filter(|_| !in_name || before == Some('b'))
+    {
+        let hashes = &raw[..raw.len() - raw.trim_start_matches('#').len()];
+        if raw[hashes.len()..].starts_with('"') {
+            return until(&format!("\"{hashes}"), hashes.len() + 2);
         }
     }
-    rest.len()
+    if source.starts_with('"') {
+        return escaped(source, '"');
+    }
+    // A letter in quotes; otherwise the mark begins a lifetime.
+    let mut letters = source
+        .strip_prefix('\'')
+        .map(str::chars)
+        .into_iter()
+        .flatten();
+    match (letters.next(), letters.next()) {
+        (Some('\\'), _) => escaped(source, '\''),
+        (Some(letter), Some('\'')) => letter.len_utf8() + 2,
+        _ => 0,
+    }
+}
+
+/// The bytes up to the closing mark, past those behind a backslash.
+fn escaped(source: &str, mark: char) -> usize {
+    let mut is_escaped = false;
+    for (at, letter) in source.char_indices().skip(1) {
+        if is_escaped {
+            is_escaped = false;
+        } else if letter == '\\' {
+            is_escaped = true;
+        } else if letter == mark {
+            return at + 1;
+        }
+    }
+    source.len()
 }
 
 /// The code without what is made for tests only.

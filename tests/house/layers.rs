@@ -14,7 +14,7 @@ const FLOORS: &[&[&str]] = &[
     &["texture", "film", "camera"],
     &["geometry", "material"],
     &["surface"],
-    &["visibility", "accel", "light"],
+    &["visibility", "light"],
     &["scene"],
     &["read", "plan"],
     &["render"],
