@@ -74,7 +74,9 @@ fn an_example_adds_rings_to_a_scene() {
 #[test]
 fn an_example_tells_which_place_each_pixel_shows() {
     let output = run(Path::new("."), "camera", &[]);
-    assert_data_eq!(output.stdout, str![[r#"
+    assert_data_eq!(
+        output.stdout,
+        str![[r#"
 row column      x      z  distance
   0      0  -6.83  -8.54     14.59
   0      1  -3.42  -8.54     13.34
@@ -97,5 +99,6 @@ row column      x      z  distance
   3      3   0.92   2.29      3.57
   3      4   1.83   2.29      3.91
 
-"#]]);
+"#]]
+    );
 }

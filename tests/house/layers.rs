@@ -24,8 +24,6 @@ const FLOORS: &[&[&str]] = &[
 
 /// Files that still import from each other: to be untied.
 const CIRCLES: &[&[&str]] = &[
-    &["accel::divide", "accel::receivers", "accel::shields"],
-    &["accel::split", "accel::tree"],
     &["measure::check", "measure::coincident"],
     &["read::build", "read::surfaces", "read::textures"],
     &["read::course::entities", "read::course::words"],
@@ -61,7 +59,6 @@ const CIRCLES_OF_TYPES: &[&[&str]] = &[
         "measure::light_tests",
     ],
     &["scene::render_settings", "scene::setting"],
-    &["surface::anatomy", "surface::plane", "surface::tiled_plane"],
 ];
 
 /// All folders with sources.
