@@ -4,7 +4,7 @@
 //! later for AVX). It reports the instruction sets of the model, so that libraries choose their
 //! code as they do on that processor. All scenes are rendered as PFM, whose numbers are not rounded
 //! to 8 bits, and one as PNG, for its encoder. Without the emulator the test prints a message and
-//! passes.
+//! passes; with `HELIODON_REQUIRE_TOOLS=1` it fails.
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))]
 
 use std::fs;
@@ -45,7 +45,7 @@ const SIZE: &str = "24x18";
 #[cfg_attr(debug_assertions, ignore = "takes minutes without optimization")]
 fn pictures_do_not_depend_on_the_processor() {
     let Ok(version) = Command::new("qemu-x86_64").arg("--version").output() else {
-        say("skipped: qemu-x86_64 is not installed (Debian package qemu-user)");
+        skip("qemu-x86_64 is not installed (Debian package qemu-user)");
         return;
     };
     let version = text(&version.stdout);
@@ -78,8 +78,8 @@ fn compare(processor: &Processor, native: &[(PathBuf, Vec<u8>)], version: &str) 
     let reported = instruction_sets(model);
     if reported != *sets {
         let version = version.lines().next().unwrap_or_default();
-        say(&format!(
-            "skipped: {model} should have {sets}, but {version} reports {reported}"
+        skip(&format!(
+            "{model} should have {sets}, but {version} reports {reported}"
         ));
         return;
     }
@@ -168,6 +168,13 @@ fn checked(command: &mut Command) -> Output {
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Says why a comparison is left out; an error if `HELIODON_REQUIRE_TOOLS` is 1.
+fn skip(reason: &str) {
+    let required = std::env::var_os("HELIODON_REQUIRE_TOOLS").is_some_and(|value| value == "1");
+    assert!(!required, "{reason}");
+    say(&format!("skipped: {reason}"));
 }
 
 /// Prints a line that the test harness does not capture.
