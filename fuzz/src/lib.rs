@@ -1,6 +1,6 @@
 //! The body of each fuzz target: bytes go in, and a panic is a bug.
 //!
-//! `tests/fuzz_seeds.rs` of the main crate runs the same bodies over the seed corpus.
+//! `tests/language/fuzz_seeds.rs` of the main crate runs the same bodies over the seed corpus.
 
 use std::cell::RefCell;
 use std::io::{Cursor, Seek, SeekFrom, Write};

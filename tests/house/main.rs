@@ -5,5 +5,6 @@ mod contributing;
 mod epsilons;
 mod imports;
 mod layers;
+mod project;
 mod words;
 mod workspace;

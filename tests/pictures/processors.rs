@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::thread;
 
+use support::files::{entries, files, repository};
+use support::shell::program;
+
 /// A processor model of the emulator, its year, and the instruction sets that it must report.
 struct Processor {
     model: &'static str,
@@ -110,15 +113,15 @@ fn instruction_sets(model: &str) -> String {
 
 /// Names and bytes of all pictures, rendered here or on an emulated processor.
 fn pictures(model: Option<&str>) -> Vec<(PathBuf, Vec<u8>)> {
-    let program = Path::new(env!("CARGO_BIN_EXE_heliodon"));
+    let program = program();
     let folder = tempfile::tempdir().expect("a folder");
     let scenes = scenes();
     let room = scenes.iter().find(|path| path.ends_with("room.kdl"));
     let room = std::slice::from_ref(room.expect("the scene of the README"));
     for (format, scenes) in [("pfm", scenes.as_slice()), ("png", room)] {
         let mut command = match model {
-            Some(model) => emulated(model, program),
-            None => Command::new(program),
+            Some(model) => emulated(model, &program),
+            None => Command::new(&program),
         };
         command
             .args(["render", "--quiet", "--size", SIZE, "--format", format])
@@ -127,29 +130,18 @@ fn pictures(model: Option<&str>) -> Vec<(PathBuf, Vec<u8>)> {
             .args(scenes);
         checked(&mut command);
     }
-    let entries = fs::read_dir(folder.path()).expect("the pictures");
-    let mut pictures: Vec<_> = entries
-        .map(|entry| {
-            let path = entry.expect("an entry").path();
-            let bytes = fs::read(&path).expect("a picture");
-            (PathBuf::from(path.file_name().expect("a name")), bytes)
-        })
-        .collect();
-    pictures.sort();
+    let pictures = entries(folder.path()).into_iter().map(|path| {
+        let bytes = fs::read(&path).expect("a picture");
+        (PathBuf::from(path.file_name().expect("a name")), bytes)
+    });
+    let pictures: Vec<_> = pictures.collect();
     assert_eq!(pictures.len(), scenes.len() + 1);
     pictures
 }
 
 fn scenes() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["scenes", "tests/machines"].map(|folder| fs::read_dir(root.join(folder)));
-    let entries = folders
-        .into_iter()
-        .flat_map(|entries| entries.expect("a folder"));
-    let paths = entries.map(|entry| entry.expect("an entry").path());
-    paths
-        .filter(|path| path.extension().is_some_and(|ending| ending == "kdl"))
-        .collect()
+    let folders = ["scenes", "tests/machines"].map(repository);
+    folders.map(|folder| files(folder, "kdl")).concat()
 }
 
 fn emulated(model: &str, program: &Path) -> Command {

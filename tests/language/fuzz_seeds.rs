@@ -2,20 +2,19 @@
 //!
 //! `fuzz/seeds.txt` lists the seeds. `fuzz/README.md` tells how to run the targets for longer.
 
-#[path = "../fuzz/src/lib.rs"]
+#[path = "../../fuzz/src/lib.rs"]
 #[allow(unreachable_pub, reason = "it is a crate of its own elsewhere")]
 mod bodies;
 
 use std::fs;
-use std::path::Path;
 
 use heliodon::language::{Attribute, Takes};
 use heliodon::read::schemas;
+use support::files::{files, repository};
 
 #[test]
 fn seeds_break_no_target() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let list = fs::read_to_string(root.join("fuzz/seeds.txt")).expect("the list of seeds");
+    let list = fs::read_to_string(repository("fuzz/seeds.txt")).expect("the list of seeds");
     for line in list.lines().filter(|line| !line.starts_with('#')) {
         let words: Vec<_> = line.split(' ').collect();
         let [target, folder, extension] = words[..] else {
@@ -28,11 +27,7 @@ fn seeds_break_no_target() {
             "reference" => bodies::reference,
             _ => panic!("no such target: {target}"),
         };
-        let entries = fs::read_dir(root.join(folder)).unwrap_or_else(|_| panic!("{line:?}"));
-        let paths = entries.map(|entry| entry.expect("an entry").path());
-        let seeds: Vec<_> = paths
-            .filter(|path| path.extension().is_some_and(|found| found == extension))
-            .collect();
+        let seeds = files(repository(folder), extension);
         assert!(!seeds.is_empty(), "no seeds for {line:?}");
         for seed in seeds {
             let bytes = fs::read(&seed).expect("a seed");
@@ -44,8 +39,7 @@ fn seeds_break_no_target() {
 
 #[test]
 fn the_dictionary_of_kdl_has_every_word() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let dictionary = fs::read_to_string(root.join("fuzz/dictionaries/kdl.dict"));
+    let dictionary = fs::read_to_string(repository("fuzz/dictionaries/kdl.dict"));
     let dictionary = dictionary.expect("the dictionary");
     let entries: Vec<_> = dictionary
         .lines()
