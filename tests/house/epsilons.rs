@@ -6,9 +6,20 @@ use std::fs;
 
 use support::files::{self, repository, with_slashes};
 
+use super::code::{code_of, without_tests};
+
 /// Where rays, hits and colours are computed.
-const ROOMS: [&str; 9] = [
-    "math", "surface", "accel", "light", "camera", "render", "texture", "material", "scene",
+const ROOMS: [&str; 10] = [
+    "math",
+    "geometry",
+    "surface",
+    "visibility",
+    "light",
+    "camera",
+    "render",
+    "texture",
+    "material",
+    "scene",
 ];
 
 /// Literals above this are lengths, shares and counts; below it they could be tolerances.
@@ -56,7 +67,7 @@ const ALLOWED: [Allowed; 9] = [
         reason: "a distance that is known to be above zero stays so when it is rounded",
     },
     Allowed {
-        file: "surface/chord.rs",
+        file: "geometry/chord.rs",
         line: "t.max(f64::from_bits(1))",
         reason: "a distance that is known to be above zero stays so when it is rounded",
     },
@@ -76,7 +87,7 @@ const ALLOWED: [Allowed; 9] = [
         reason: "a light on the surface is as bright as a number can be, not infinite",
     },
     Allowed {
-        file: "scene/picture.rs",
+        file: "scene/render_settings.rs",
         line: ".or(Default::Number(0.000_98)),",
         reason: "the default of `cut-off`, a dial that the user turns",
     },
@@ -183,7 +194,7 @@ fn sources() -> Vec<(String, String)> {
         (with_slashes(place), text)
     });
     let sources: Vec<_> = sources
-        .filter(|(place, _)| !place.starts_with("surface/classic/"))
+        .filter(|(place, _)| !place.contains("/classic/"))
         .collect();
     assert!(sources.len() > 40, "the sources were not found");
     sources
@@ -196,76 +207,6 @@ fn small_numbers(source: &str) -> Vec<String> {
         SMALL_WORDS.iter().any(|word| line.contains(word)) || has_small_literal(line)
     });
     small.map(|line| line.trim().to_owned()).collect()
-}
-
-/// The source with comments and the contents of texts taken out; lines stay lines.
-fn code_of(source: &str) -> String {
-    let mut code = String::new();
-    let mut rest = source;
-    while let Some(first) = rest.chars().next() {
-        let skipped = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            rest.find("*/").map_or(rest.len(), |end| end + 2)
-        } else if rest.starts_with("r\"") || rest.starts_with("r#") {
-            let hashes = rest[1..].chars().take_while(|c| *c == '#').count();
-            let end = format!("\"{}", "#".repeat(hashes));
-            let start = hashes + 2;
-            let length = rest.get(start..).and_then(|text| text.find(&end));
-            length.map_or(start, |length| start + length + end.len())
-        } else if first == '"' {
-            end_of_text(rest)
-        } else if let Some(escaped) = rest.strip_prefix("'\\") {
-            // What is escaped may be the quote itself.
-            let end = escaped.char_indices().skip(1).find(|(_, c)| *c == '\'');
-            end.map_or(2, |(end, _)| end + 3)
-        } else if first == '\'' && rest.chars().nth(2) == Some('\'') {
-            rest.char_indices()
-                .nth(3)
-                .map_or(rest.len(), |(end, _)| end)
-        } else {
-            code.push(first);
-            rest = &rest[first.len_utf8()..];
-            continue;
-        };
-        code.extend(rest[..skipped].chars().filter(|c| *c == '\n'));
-        rest = &rest[skipped..];
-    }
-    code
-}
-
-/// Where a text in quotes ends.
-fn end_of_text(rest: &str) -> usize {
-    let mut escaped = false;
-    for (index, c) in rest.char_indices().skip(1) {
-        match c {
-            _ if escaped => escaped = false,
-            '\\' => escaped = true,
-            '"' => return index + 1,
-            _ => {}
-        }
-    }
-    rest.len()
-}
-
-/// The code without what is made for tests only.
-fn without_tests(code: &str) -> String {
-    const MARK: &str = "#[cfg(test)]";
-    let Some((before, after)) = code.split_once(MARK) else {
-        return code.to_owned();
-    };
-    let mut depth = 0;
-    for (index, c) in after.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 && (c == '}' || c == ';') {
-            return format!("{before}{}", without_tests(&after[index + 1..]));
-        }
-    }
-    before.to_owned()
 }
 
 /// Whether a line of code has a small literal, or a quotient of two that is small.

@@ -1,6 +1,6 @@
 //! Sentences and their lengths.
 
-use crate::inline::Span;
+use super::inline::Span;
 
 /// Words whose full stop does not end a sentence.
 const ABBREVIATIONS: [&str; 12] = [

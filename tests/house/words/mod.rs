@@ -8,25 +8,15 @@
     reason = "a test that cannot set its stage has failed"
 )]
 
-#[path = "words/blocks.rs"]
 mod blocks;
-#[path = "words/comments.rs"]
 mod comments;
-#[path = "words/files.rs"]
 mod files;
-#[path = "words/identifiers.rs"]
 mod identifiers;
-#[path = "words/inline.rs"]
 mod inline;
-#[path = "words/known.rs"]
 mod known;
-#[path = "words/openings.rs"]
 mod openings;
-#[path = "words/references.rs"]
 mod references;
-#[path = "words/sentences.rs"]
 mod sentences;
-#[path = "words/shapes.rs"]
 mod shapes;
 
 use blocks::{Block, blocks_of};
@@ -48,7 +38,7 @@ const BROKEN_REFERENCES: usize = 0;
 /// Fails with the list of all places that break a rule, if there are more than the ceiling.
 fn check(rule: &str, ceiling: usize, places: &[String]) {
     let count = places.len();
-    // `cargo test --test words -- --nocapture` lists them without a failure.
+    // `cargo test --test house words -- --nocapture` lists them without a failure.
     println!(
         "{}\n{count} places break the rule: {rule}",
         places.join("\n")

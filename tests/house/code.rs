@@ -1,31 +1,19 @@
-//! Names in Rust code, without comments and texts.
+//! Rust code without what is no code.
 
-use std::collections::BTreeSet;
-
-/// All names in a piece of code.
-pub(crate) fn identifiers(source: &str) -> BTreeSet<String> {
-    let code = code(source);
-    let words = code.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
-    let names = words.filter(|word| {
-        !word.is_empty() && !word.starts_with(|letter: char| letter.is_ascii_digit())
-    });
-    names.map(str::to_owned).collect()
-}
-
-/// The code alone, with a space in place of each comment, text and letter in quotes.
-fn code(source: &str) -> String {
+/// The code alone, with a space in place of each comment, text and letter in quotes; lines stay
+/// lines.
+pub(crate) fn code_of(source: &str) -> String {
     let mut code = String::new();
     let mut rest = source;
     while let Some(letter) = rest.chars().next() {
-        match length_of_text(rest, code.chars().last()) {
-            0 => {
-                code.push(letter);
-                rest = &rest[letter.len_utf8()..];
-            }
-            length => {
-                code.push(' ');
-                rest = &rest[length..];
-            }
+        let length = length_of_text(rest, code.chars().last());
+        if length == 0 {
+            code.push(letter);
+            rest = &rest[letter.len_utf8()..];
+        } else {
+            code.push(' ');
+            code.extend(rest[..length].chars().filter(|c| *c == '\n'));
+            rest = &rest[length..];
         }
     }
     code
@@ -85,20 +73,22 @@ fn escaped(source: &str, mark: char) -> usize {
     source.len()
 }
 
-#[test]
-fn names_are_found_in_code_only() {
-    let source = r##"
-        /// Comment::of
-        fn one<'a>(two: &'a str) -> char { /* three */
-            let four = "five \" six"; let seven = r#"eight " nine"#; let ten = b"eleven";
-            if four == '\'' || seven == '"' { twelve("thirteen", 14) } else { 'x' }
+/// The code without what is made for tests only.
+pub(crate) fn without_tests(code: &str) -> String {
+    const MARK: &str = "#[cfg(test)]";
+    let Some((before, after)) = code.split_once(MARK) else {
+        return code.to_owned();
+    };
+    let mut depth = 0;
+    for (index, c) in after.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
         }
-    "##;
-    let found = identifiers(source);
-    let found: Vec<_> = found.iter().map(String::as_str).collect();
-    let expected = [
-        "a", "b", "char", "else", "fn", "four", "if", "let", "one", "seven", "str", "ten",
-        "twelve", "two",
-    ];
-    assert_eq!(found, expected);
+        if depth == 0 && (c == '}' || c == ';') {
+            return format!("{before}{}", without_tests(&after[index + 1..]));
+        }
+    }
+    before.to_owned()
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::blocks::{Block, Kind, blocks_of};
-use crate::files::File;
-use crate::inline::{code_spans, targets, words_alone};
-use crate::known::Known;
-use crate::shapes::{Shape, has_ending, is_below_root, names, options, shape};
+use super::blocks::{Block, Kind, blocks_of};
+use super::files::File;
+use super::inline::{code_spans, targets, words_alone};
+use super::known::Known;
+use super::shapes::{Shape, has_ending, is_below_root, names, options, shape};
 
 /// Names that documents use though the code has none such: the chapter's, and those of libraries.
 const KNOWN_NAMES: [&str; 14] = [

@@ -1,7 +1,7 @@
 //! Doc comments of Rust sources.
 
-use crate::blocks::{Block, blocks};
-use crate::sentences::sentences;
+use super::blocks::{Block, blocks};
+use super::sentences::sentences;
 
 /// The most characters in the first line of an item's comment.
 pub(crate) const LONGEST: usize = 80;

@@ -1,18 +1,16 @@
 //! The files that the rules read.
 
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use support::files::{repository, walk, with_slashes};
 
 /// A text file of the repository.
 pub(crate) struct File {
     /// The path from the root, with `/` between folders.
     pub(crate) path: String,
     pub(crate) text: String,
-}
-
-/// The folder that holds `Cargo.toml`.
-pub(crate) fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 /// All markdown files of the repository, by path.
@@ -44,10 +42,13 @@ pub(crate) fn rust(folder: &str) -> Vec<File> {
 }
 
 fn found(folder: &str, extension: &str) -> Vec<File> {
-    let mut paths = Vec::new();
-    walk(&root().join(folder), &mut paths);
+    let folder = repository(folder);
+    let mut paths = if folder.is_dir() {
+        walk(folder)
+    } else {
+        Vec::new()
+    };
     paths.retain(|path| path.extension().is_some_and(|found| found == extension));
-    paths.sort();
     let files = paths.iter().map(|path| File {
         path: from_root(path),
         text: fs::read_to_string(path).unwrap(),
@@ -56,30 +57,14 @@ fn found(folder: &str, extension: &str) -> Vec<File> {
 }
 
 /// The paths of all files and folders of the repository, from the root.
-pub(crate) fn all_paths() -> Vec<String> {
-    let mut paths = Vec::new();
-    walk(root(), &mut paths);
-    paths.iter().map(|path| from_root(path)).collect()
+pub(crate) fn all_paths() -> BTreeSet<String> {
+    let root = repository("");
+    let files = walk(&root);
+    let paths = files.iter().flat_map(|file| file.ancestors());
+    let below = paths.filter(|path| path.starts_with(&root) && *path != root);
+    below.map(from_root).collect()
 }
 
 fn from_root(path: &Path) -> String {
-    let path = path.strip_prefix(root()).unwrap();
-    path.to_string_lossy().replace('\\', "/")
-}
-
-/// Adds a folder's files and folders, but neither build products nor what Git keeps.
-fn walk(folder: &Path, paths: &mut Vec<PathBuf>) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries {
-        let path = entry.unwrap().path();
-        if path.ends_with(".git") || path == root().join("target") {
-            continue;
-        }
-        if path.is_dir() {
-            walk(&path, paths);
-        }
-        paths.push(path);
-    }
+    with_slashes(path.strip_prefix(repository("")).unwrap())
 }

@@ -1,12 +1,12 @@
 //! All that a document can refer to.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
-use std::process::Command;
 
-use crate::files::{self, File};
-use crate::identifiers::identifiers;
-use crate::references::anchors;
+use support::shell::heliodon;
+
+use super::files::{self, File};
+use super::identifiers::identifiers;
+use super::references::anchors;
 
 /// What is there: files, headings, names in code, commands and options.
 pub(crate) struct Known {
@@ -42,10 +42,10 @@ impl Known {
             .into_iter()
             .flat_map(files::rust)
             .collect();
-        let (commands, mut options) = command_line(env!("CARGO_BIN_EXE_heliodon"));
+        let (commands, mut options) = command_line();
         options.extend(tools.iter().flat_map(|file| options_of_clap(&file.text)));
         Self {
-            paths: files::all_paths().into_iter().collect(),
+            paths: files::all_paths(),
             anchors: documents
                 .iter()
                 .map(|file| (file.path.clone(), anchors(&file.text)))
@@ -86,7 +86,7 @@ impl Known {
 
 /// The name of a test program, if a path is that of one.
 fn test_program(path: &str) -> Option<String> {
-    let name = path.strip_prefix("tests/")?.strip_suffix(".rs")?;
+    let name = path.strip_prefix("tests/")?.strip_suffix("/main.rs")?;
     (!name.contains('/')).then(|| name.to_owned())
 }
 
@@ -99,15 +99,9 @@ fn variables(source: &str) -> Vec<String> {
         .collect()
 }
 
-/// The commands of a program and the options of all of them, by its own help.
-fn command_line(program: &str) -> (Vec<String>, BTreeSet<String>) {
-    let help = |arguments: &[&str]| {
-        let output = Command::new(Path::new(program))
-            .args(arguments)
-            .output()
-            .expect("the program runs");
-        String::from_utf8(output.stdout).expect("text")
-    };
+/// The commands of the program and the options of all of them, by its own help.
+fn command_line() -> (Vec<String>, BTreeSet<String>) {
+    let help = |arguments: &[&str]| heliodon(arguments).stdout_text().to_owned();
     let front = help(&["--help"]);
     let commands = commands_in_help(&front);
     let mut options = options_in_help(&front);
@@ -181,6 +175,9 @@ fn variables_and_tests_are_named() {
         variables("var(\"HELIODON_UPDATE\") X_HELIODON_Y"),
         ["HELIODON_UPDATE"]
     );
-    assert_eq!(test_program("tests/words.rs"), Some("words".to_owned()));
-    assert_eq!(test_program("tests/words/known.rs"), None);
+    assert_eq!(
+        test_program("tests/house/main.rs"),
+        Some("house".to_owned())
+    );
+    assert_eq!(test_program("tests/house/layers.rs"), None);
 }

@@ -1,7 +1,7 @@
 //! The first word of a paragraph: question words and "Of" do not open a statement.
 
-use crate::inline::words_alone;
-use crate::sentences::sentences;
+use super::inline::words_alone;
+use super::sentences::sentences;
 
 /// Words that open a clause in place of a noun; "when" is judged by the comma after its clause.
 const QUESTION_WORDS: [&str; 11] = [
