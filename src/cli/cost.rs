@@ -14,7 +14,7 @@ use super::threads::Threads;
 use super::{Status, input, progress};
 use crate::film::{check_place, save};
 use crate::language::ValueError;
-use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
+use crate::measure::{self, Best, Cost, CostOptions, Limit, Reference, Sweep, Variation};
 use crate::read::Reading;
 use crate::scene::Scene;
 
@@ -159,10 +159,10 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
         ReadError::new(Status::Usage, error, messages)
     };
     let base = scene.settings;
-    let ladder = match (options.vary.as_slice(), options.grid) {
-        ([], _) => Ladder::of(base, &measure::effects_of(scene).map_err(refused)?),
-        (variations, true) => Ladder::of_all(base, variations).map_err(senseless)?,
-        (variations, false) => Ladder::of_each(base, variations).map_err(senseless)?,
+    let sweep = match (options.vary.as_slice(), options.grid) {
+        ([], _) => Sweep::of(base, &measure::effects_of(scene).map_err(refused)?),
+        (variations, true) => Sweep::grid(base, variations).map_err(senseless)?,
+        (variations, false) => Sweep::each(base, variations).map_err(senseless)?,
     };
     let reference = options.reference().map(|path| {
         Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
@@ -171,18 +171,15 @@ fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result
         })
     });
     let bar = progress::bar(&title, 0, messages);
-    let pictures = options.report.is_some();
-    let cost = measure::cost(
-        scene,
-        &ladder,
-        reference.transpose()?,
-        options.runs,
-        pictures,
-        &|done, of| {
-            bar.set_length(of as u64);
-            bar.set_position(done as u64);
-        },
-    );
+    let how = CostOptions {
+        reference: reference.transpose()?,
+        runs: options.runs,
+        with_pictures: options.report.is_some(),
+    };
+    let cost = measure::cost(scene, &sweep, how, &|done, of| {
+        bar.set_length(of as u64);
+        bar.set_position(done as u64);
+    });
     bar.finish_and_clear();
     cost.map_err(refused)
 }
@@ -271,7 +268,7 @@ fn json(
     cost: &Cost,
     answers: &[(&str, Best)],
 ) -> String {
-    let mut line = serde_json::json!(cost);
+    let mut line = cost.json();
     line["scene"] = title.into();
     line["exit"] = status.code().into();
     line["problems"] = problems_json(&reading.warnings, &reading.scene.sources).into();

@@ -95,7 +95,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     if let Some(pixel) = options.pixel {
         let story = measure::transcript(scene, pixel)?;
         return Ok(if options.json.is_asked() {
-            as_json(serde_json::json!(story))
+            as_json(story.json())
         } else {
             story::text(&story, scene, &title)
         });

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::stats;
-use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
+use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, SceneItem};
 use crate::plan::{Effect, Reachability, Unlit};
 use crate::visibility::{Accelerator, MOST_LISTS};
 
@@ -250,7 +250,7 @@ fn list(out: &mut String, lead: &str, mut things: Vec<String>, indent: usize) ->
 }
 
 /// A thing with its line, or with its file and line if it stands in an included one.
-pub(super) fn placed(thing: &Thing, scene: &str) -> String {
+pub(super) fn placed(thing: &SceneItem, scene: &str) -> String {
     let Some(place) = &thing.place else {
         return thing.title.clone();
     };

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use super::explanation::placed;
-use crate::measure::{LightStep, Met, PixelStory, Step};
+use crate::measure::{HitReport, LightReport, PixelReport, RayReport};
 use crate::scene::Scene;
 
 /// The story of a pixel for people.
-pub(super) fn text(story: &PixelStory, scene: &Scene, title: &str) -> String {
+pub(super) fn text(story: &PixelReport, scene: &Scene, title: &str) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
     let _ = write_text(&mut text, story, scene, title);
@@ -16,7 +16,7 @@ pub(super) fn text(story: &PixelStory, scene: &Scene, title: &str) -> String {
 
 fn write_text(
     out: &mut String,
-    story: &PixelStory,
+    story: &PixelReport,
     scene: &Scene,
     title: &str,
 ) -> std::fmt::Result {
@@ -31,14 +31,14 @@ fn write_text(
         return step(out, ray, title, 0);
     }
     let all = story.rays.len();
-    match story.rays.iter().filter(|ray| ray.met.is_none()).count() {
+    match story.rays.iter().filter(|ray| ray.hit.is_none()).count() {
         0 => {}
         1 => writeln!(out, "\n1 of {all} rays from the eye meets nothing")?,
         some if some == all => writeln!(out, "\nall {all} rays from the eye meet nothing")?,
         some => writeln!(out, "\n{some} of {all} rays from the eye meet nothing")?,
     }
     for (number, ray) in (1..).zip(&story.rays) {
-        if ray.met.is_some() {
+        if ray.hit.is_some() {
             writeln!(out, "\nray {number} of {all}")?;
             step(out, ray, title, 1)?;
         }
@@ -47,9 +47,9 @@ fn write_text(
 }
 
 /// What became of a ray and of all that it caused.
-fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Result {
+fn step(out: &mut String, ray: &RayReport, title: &str, depth: usize) -> std::fmt::Result {
     let indent = 2 * depth;
-    let Some(met) = &ray.met else {
+    let Some(met) = &ray.hit else {
         return writeln!(out, "{:indent$}ray {} meets nothing", "", ray.kind);
     };
     meeting(out, ray, met, title, indent)?;
@@ -88,8 +88,8 @@ fn step(out: &mut String, ray: &Step, title: &str, depth: usize) -> std::fmt::Re
 /// Where a ray meets a surface, and which.
 fn meeting(
     out: &mut String,
-    ray: &Step,
-    met: &Met,
+    ray: &RayReport,
+    met: &HitReport,
     title: &str,
     indent: usize,
 ) -> std::fmt::Result {
@@ -120,7 +120,7 @@ fn meeting(
 }
 
 /// What arrives there from a light or a lamp.
-fn arrival(out: &mut String, light: &LightStep, title: &str, indent: usize) -> std::fmt::Result {
+fn arrival(out: &mut String, light: &LightReport, title: &str, indent: usize) -> std::fmt::Result {
     let arrives = light.arrives.map(|arrives| color(arrives) + " ");
     let arrives = arrives.unwrap_or_default();
     let light_title = placed(&light.light, title);

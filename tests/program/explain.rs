@@ -237,7 +237,7 @@ fn rays_that_meet_nothing_are_counted_in_the_text_and_each_told_in_json() {
     ]);
     let rays = story["rays"].as_array().expect("a list");
     assert_eq!(rays.len(), 4);
-    assert_eq!(rays.iter().filter(|ray| ray["met"].is_null()).count(), 1);
+    assert_eq!(rays.iter().filter(|ray| ray["hit"].is_null()).count(), 1);
 }
 
 #[test]
@@ -254,7 +254,7 @@ fn a_light_in_the_very_place_that_it_would_light_is_told() {
     let (text, _, code) = said(&["explain", &scene, "--pixel", "1,1"]);
     assert_eq!(code, 0);
     let line =
-        r#"light "spark" (line 5): is in this very place, so that its light has no direction"#;
+        r#"light "spark" (line 5): is at this very point, so that its light has no direction"#;
     assert!(text.contains(line), "{text}");
 }
 

@@ -147,7 +147,7 @@ fn the_lists_fit_on_a_terminal_and_say_in_words_what_they_show() {
         assert!(list.contains(&format!("\n  {title} ")), "{list}");
         assert!(list.contains(&format!("Without {title}")), "{list}");
     }
-    assert!(list.contains("and the picture is the same."), "{list}");
+    assert!(list.contains("; the picture is the same."), "{list}");
 }
 
 #[test]
@@ -161,10 +161,10 @@ fn sentences_list_effects_as_prose_does() {
     );
     let list = prices(&scene, 1, &|_, _| ()).expect("prices").list();
     for sentence in [
-        "Without mirrors, refraction and glints this picture ",
-        "Without transparency and refraction this picture ",
-        "Without glints this picture ",
-        "Without the transfer curve this picture ",
+        "Without mirrors, refraction and glints: ",
+        "Without transparency and refraction: ",
+        "Without glints: ",
+        "Without the transfer curve: ",
     ] {
         assert!(list.contains(sentence), "{list}");
     }

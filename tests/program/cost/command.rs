@@ -46,13 +46,13 @@ fn exit_codes_answer() {
 }
 
 #[test]
-fn what_cannot_be_varied_is_told() {
+fn what_cannot_be_varied_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     for (arguments, expected) in [
         (["--vary", "sampels=2"], "did you mean \"samples\"?"),
         (
             ["--vary", "samples=0"],
-            "\"0\" is no samples: expected a whole number",
+            "\"0\" is not a valid value of samples: expected a whole number",
         ),
         (["--vary", "samples"], "such as samples=1,4,16"),
         (
@@ -68,7 +68,7 @@ fn what_cannot_be_varied_is_told() {
 }
 
 #[test]
-fn json_csv_plot_and_page_have_every_rung() {
+fn json_csv_plot_and_page_have_every_step() {
     let folder = tempfile::tempdir().expect("a folder");
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("a file");
     let output = run(
@@ -93,20 +93,32 @@ fn json_csv_plot_and_page_have_every_rung() {
     assert_eq!((&answer["exit"], &answer["runs"]), (&0.into(), &1.into()));
     assert_eq!(answer["scene"], "scene.kdl");
     assert_eq!(answer["size"], serde_json::json!([32, 24]));
-    let rungs = answer["rungs"].as_array().expect("rungs");
-    let labels: Vec<_> = rungs.iter().map(|rung| &rung["label"]).collect();
+    let steps = answer["steps"].as_array().expect("steps");
+    let labels: Vec<_> = steps.iter().map(|step| &step["label"]).collect();
     assert_eq!(labels, ["as it is", "samples=4", "numerics=classic"]);
     for field in [
         "cpu", "wall", "rays", "counts", "largest", "pixels", "rmse", "psnr", "ssim", "flip",
     ] {
-        assert!(!rungs[0][field].is_null(), "{field}: {}", rungs[0]);
+        assert!(!steps[0][field].is_null(), "{field}: {}", steps[0]);
     }
     assert!(answer["target"]["label"].is_string());
     assert!(answer["budget"].is_null());
-    assert!(answer["reference"]["doubt"]["rmse"].is_number());
-    for field in ["laws", "blames", "recommended"] {
+    assert!(answer["reference"]["uncertainty"]["rmse"].is_number());
+    for field in ["laws", "breakdowns", "recommended"] {
         assert!(!answer[field].is_null(), "{field}");
     }
+    assert_eq!(answer["rungs"], answer["steps"], "a former name");
+    assert_eq!(answer["rungs"][1]["dial"], "samples");
+    assert_eq!(answer["rungs"][1]["own"][0]["step"], "4");
+    assert_eq!(
+        answer["blames"][0]["rung"],
+        answer["breakdowns"][0]["label"]
+    );
+    assert!(answer["blames"][0]["spots"][0]["spot"].is_string());
+    assert_eq!(
+        answer["reference"]["doubt"],
+        answer["reference"]["uncertainty"]
+    );
 
     let validator = schema();
     let errors: Vec<_> = validator.iter_errors(&answer).collect();
@@ -123,10 +135,13 @@ fn json_csv_plot_and_page_have_every_rung() {
     }
     assert_eq!(unmet["exit"], 1);
     let mut wrong = answer.clone();
-    wrong["rungs"][0]["rays"] = serde_json::Value::Null;
+    wrong["steps"][0]["rays"] = serde_json::Value::Null;
     assert!(!validator.is_valid(&wrong));
 
-    assert!(rungs.iter().all(|rung| rung["met"].is_null()), "{rungs:?}");
+    assert!(
+        steps.iter().all(|step| step["within_max_error"].is_null()),
+        "{steps:?}"
+    );
 
     let csv = read("it.csv");
     assert!(
@@ -139,7 +154,7 @@ fn json_csv_plot_and_page_have_every_rung() {
 
     let plot = read("it.svg");
     assert!(plot.starts_with("<svg xmlns="), "{plot}");
-    assert_eq!(plot.matches("class=\"rung\"").count(), 3);
+    assert_eq!(plot.matches("class=\"step\"").count(), 3);
 
     let page = read("it.html");
     assert!(!page.contains("http"), "the page needs nothing else");
@@ -150,8 +165,8 @@ fn json_csv_plot_and_page_have_every_rung() {
     );
     assert_eq!(page.matches("<tr class").count(), 3);
     assert!(page.contains("<th>FLIP</th>"), "{page}");
-    for rung in rungs {
-        let flip = rung["flip"].as_f64().expect("a number");
+    for step in steps {
+        let flip = step["flip"].as_f64().expect("a number");
         // As hovering over the plots tells, and in the table.
         assert!(page.matches(&format!("\nFLIP {flip:.4}\n")).count() >= 2);
         assert!(page.contains(&format!("<td>{flip:.4}</td>")));
@@ -230,7 +245,7 @@ fn the_page_answers_what_the_terminal_does() {
         assert!(seen.contains(&format!("{word}{label} {why}\n")), "{seen}");
     }
     assert!(advice.contains("<dt>target</dt><dd><strong class=\"none\">none</strong>"));
-    assert!(advice.contains("<dt>budget</dt><dd><strong data-rung=\""));
+    assert!(advice.contains("<dt>budget</dt><dd><strong data-step=\""));
 }
 
 #[test]
@@ -243,10 +258,10 @@ fn a_table_a_plot_and_words_on_the_terminal() {
         "  RMSE    FLIP  better\n",
         "\na as it is ",
         "\nb samples=4 ",
-        "RMSE\n",
+        "  RMSE (1 = white)\n",
         "\nrecommended: ",
         "\nsamples: ",
-        "\ntarget: none; no rung has a largest error of at most 0 code values\n",
+        "\ntarget: none; no setting has largest error in code values ≤ 0\n",
     ] {
         assert!(text.contains(words), "{words:?} in\n{text}");
     }

@@ -1,13 +1,13 @@
-//! What accuracy costs: the ladder follows from the scene, and what can be counted is the same in
-//! every run.
+//! Measurements of accuracy against time: the sweep follows from the scene, and counts are equal
+//! in every run.
 
 mod command;
-mod told;
+mod text;
 
 use std::path::PathBuf;
 
 use heliodon::camera::Pattern;
-use heliodon::measure::{Cost, Ladder, Limit, Reference, Variation, cost, effects_of};
+use heliodon::measure::{Cost, CostOptions, Limit, Reference, Sweep, Variation, cost, effects_of};
 use heliodon::read::{Options, read_bytes, read_file};
 use heliodon::render::render;
 use heliodon::scene::{RenderSettings, Scene};
@@ -41,22 +41,22 @@ fn room() -> Scene {
 
 fn labels(scene: &Scene) -> Vec<String> {
     let effects = effects_of(scene).expect("a possible camera");
-    let ladder = Ladder::of(scene.settings, &effects);
-    ladder.0.into_iter().map(|rung| rung.label).collect()
+    let sweep = Sweep::of(scene.settings, &effects);
+    sweep.0.into_iter().map(|step| step.label).collect()
 }
 
 fn measured(scene: &mut Scene, variations: &[&str], threads: usize) -> Cost {
     let variations = variations.iter().map(|text| Variation::new(text));
     let variations: Vec<_> = variations.map(|it| it.expect("a variation")).collect();
-    let ladder = Ladder::of_each(scene.settings, &variations).expect("a ladder");
+    let sweep = Sweep::each(scene.settings, &variations).expect("a sweep");
     let pool = ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("threads");
-    pool.install(|| cost(scene, &ladder, None, 1, false, &|_, _| ()))
+    pool.install(|| cost(scene, &sweep, CostOptions::default(), &|_, _| ()))
         .expect("a cost")
 }
 
 #[test]
-fn the_ladder_has_only_what_the_scene_calls_for() {
+fn the_sweep_has_only_what_the_scene_calls_for() {
     let plain = labels(&scene(SCENE));
     assert!(plain.len() >= 12, "{plain:?}");
     let room = labels(&room());
@@ -82,7 +82,7 @@ fn counts_and_errors_are_the_same_on_any_number_of_threads() {
         room.settings, before,
         "the scene has its own settings again"
     );
-    let pairs = one.rungs.iter().zip(&three.rungs);
+    let pairs = one.steps.iter().zip(&three.steps);
     assert_eq!(pairs.clone().count(), 4);
     for (one, three) in pairs {
         assert_eq!(one.label, three.label);
@@ -90,31 +90,32 @@ fn counts_and_errors_are_the_same_on_any_number_of_threads() {
         assert_eq!(one.deviation, three.deviation, "{}", one.label);
         assert_eq!(one.own, three.own, "{}", one.label);
     }
-    let base = &one.rungs[0];
+    let base = &one.steps[0];
     let (film, counts) = render(&room, &|_| ()).expect("a picture");
     assert_eq!(base.counts, counts);
     assert_eq!(one.reference.deviation(&film), base.deviation);
-    let rays = |rung: usize| one.rungs[rung].counts.camera_rays;
+    let rays = |step: usize| one.steps[step].counts.camera_rays;
     assert_eq!((rays(0), rays(1)), (1200, 4800));
-    assert_eq!(one.rungs[2].counts.mirror_rays, 0, "cut off");
+    assert_eq!(one.steps[2].counts.mirror_rays, 0, "cut off");
 }
 
 #[test]
 fn more_samples_are_closer_to_the_reference() {
     let cost = measured(&mut scene(SCENE), &["samples=4,16,64"], 1);
-    let errors: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.rmse).collect();
+    let errors: Vec<_> = cost.steps.iter().map(|step| step.deviation.rmse).collect();
     assert!(errors.is_sorted_by(|more, less| more > less), "{errors:?}");
-    let seen: Vec<_> = cost.rungs.iter().map(|rung| rung.deviation.flip).collect();
+    let seen: Vec<_> = cost.steps.iter().map(|step| step.deviation.flip).collect();
     assert!(seen.is_sorted_by(|more, less| more > less), "{seen:?}");
-    let doubt = cost.reference.doubt.expect("two halves");
-    assert!(
-        doubt.rmse > 0.0 && doubt.rmse < errors[3] / 2.0,
-        "{doubt:?}"
-    );
-    let sums: f64 = cost.blames[0].spots.iter().map(|share| share.error).sum();
+    let own = cost.reference.uncertainty.expect("two halves");
+    assert!(own.rmse > 0.0 && own.rmse < errors[3] / 2.0, "{own:?}");
+    let sums: f64 = cost.breakdowns[0]
+        .features
+        .iter()
+        .map(|share| share.error)
+        .sum();
     assert!((sums - 1.0).abs() < 1e-9);
-    let most = cost.blames[0].spots[0];
-    assert_eq!(most.spot.words(), "at edges of surfaces");
+    let most = cost.breakdowns[0].features[0];
+    assert_eq!(most.feature.words(), "at edges of surfaces");
     assert!(most.error > 0.5 && most.pixels < 0.2, "{most:?}");
 }
 
@@ -127,9 +128,9 @@ fn what_max_error_adds_is_compared_with_more() {
     let in_scene = ball.replace("image 32 24", "image 32 24 max-error=0.008");
     for (text, variation) in [(ball, "max-error=2/255"), (&in_scene, "numerics=classic")] {
         let cost = measured(&mut scene(text), &[variation], 1);
-        let error = cost.rungs.last().expect("a rung").deviation.rmse;
-        let doubt = cost.reference.doubt.expect("two halves").rmse;
-        assert!(doubt > 0.0 && doubt < error / 3.0, "{doubt} {error}");
+        let error = cost.steps.last().expect("a step").deviation.rmse;
+        let own = cost.reference.uncertainty.expect("two halves").rmse;
+        assert!(own > 0.0 && own < error / 3.0, "{own} {error}");
     }
 }
 
@@ -139,20 +140,20 @@ fn the_cheapest_and_the_best_within_a_time_are_named() {
     let cheapest = |text| cost.cheapest(Limit::new(text).expect("a limit")).label;
     assert_eq!(cheapest("max=0"), None);
     assert!(cheapest("max=255").is_some());
-    let exact = format!("rmse={}", cost.rungs[2].deviation.rmse);
+    let exact = format!("rmse={}", cost.steps[2].deviation.rmse);
     assert_eq!(cheapest(&exact).as_deref(), Some("samples=64"));
     assert_eq!(cost.within(3600.0).label.as_deref(), Some("samples=64"));
     assert_eq!(cost.within(1e-9).label, None);
 }
 
 #[test]
-fn a_picture_is_no_way_off_itself() {
+fn a_picture_does_not_differ_from_itself() {
     for curve in ["", "transfer=\"srgb\""] {
-        is_no_way_off_itself(&SCENE.replace("image 32 24", &format!("image 32 24 {curve}")));
+        does_not_differ_from_itself(&SCENE.replace("image 32 24", &format!("image 32 24 {curve}")));
     }
 }
 
-fn is_no_way_off_itself(text: &str) {
+fn does_not_differ_from_itself(text: &str) {
     let mut scene = scene(text);
     let transfer = scene.settings.transfer;
     let (film, _) = render(&scene, &|_| ()).expect("a picture");
@@ -171,15 +172,20 @@ fn is_no_way_off_itself(text: &str) {
     assert!(Reference::from_file(&path, [32, 25], transfer).is_err());
     let variations = ["quantize=truncate", "quantize=round"].map(Variation::new);
     let variations = variations.map(|it| it.expect("a variation"));
-    let ladder = Ladder::of_each(scene.settings, &variations).expect("a ladder");
-    let cost = cost(&mut scene, &ladder, Some(reference), 2, false, &|_, _| ());
+    let sweep = Sweep::each(scene.settings, &variations).expect("a sweep");
+    let options = CostOptions {
+        reference: Some(reference),
+        runs: 2,
+        ..CostOptions::default()
+    };
+    let cost = cost(&mut scene, &sweep, options, &|_, _| ());
     let cost = cost.expect("a cost");
-    assert!(cost.rungs[0].deviation.rmse < 1e-6);
+    assert!(cost.steps[0].deviation.rmse < 1e-6);
     // One of a code value is off at most when truncated.
-    let largest = cost.rungs[1].deviation.change.largest;
+    let largest = cost.steps[1].deviation.change.largest;
     assert!((0.9..=1.0).contains(&largest), "{largest}");
-    assert_eq!(cost.reference.doubt, None);
-    assert!(cost.rungs[0].cpu.deviation.is_some());
+    assert_eq!(cost.reference.uncertainty, None);
+    assert!(cost.steps[0].cpu.deviation.is_some());
 }
 
 #[test]
@@ -188,7 +194,7 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
         let image = format!("image 32 24 transfer=\"{curve}\"");
         let mut scene = scene(&SCENE.replace("image 32 24", &image));
         let cost = measured(&mut scene, &["depth=8,16,float", "quantize=truncate"], 1);
-        let labels: Vec<_> = cost.rungs.iter().map(|rung| rung.label.as_str()).collect();
+        let labels: Vec<_> = cost.steps.iter().map(|step| step.label.as_str()).collect();
         let expected = [
             "as it is",
             "depth=8",
@@ -197,7 +203,7 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
             "quantize=truncate",
         ];
         assert_eq!(labels, expected);
-        let own = |rung: usize, dial| cost.rungs[rung].own(dial).expect("an error").rmse;
+        let own = |step: usize, setting| cost.steps[step].own(setting).expect("an error").rmse;
         // Some of the picture is black, which every depth keeps.
         let even = 1.0 / 12.0_f64.sqrt();
         assert!((0.3..1.1).contains(&(own(1, "depth") * 255.0 / even)));
@@ -205,7 +211,7 @@ fn each_depth_errs_by_itself_as_far_as_it_rounds() {
         assert!((1e-10..1e-7).contains(&own(3, "depth")));
         assert!(own(4, "quantize") > 1.5 * own(1, "depth"));
         // The errors of a picture are told in code values of 255, whatever its depth.
-        let largest = |rung: usize| cost.rungs[rung].deviation.change.largest;
+        let largest = |step: usize| cost.steps[step].deviation.change.largest;
         assert!((largest(1) - largest(3)).abs() <= 0.5 + 1e-9);
         assert!((largest(2) - largest(3)).abs() <= 0.5 / 257.0 + 1e-9);
     }

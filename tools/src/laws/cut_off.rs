@@ -53,7 +53,6 @@ pub(crate) fn figure(all: &[Series]) -> Figure {
             curves: [bound].into_iter().chain(curves).collect(),
         }],
         up: Scale::of("largest error of a pixel, in intensity"),
-        doubt: None,
     }
 }
 

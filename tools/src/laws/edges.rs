@@ -46,7 +46,6 @@ pub(crate) fn figure(all: &[Series]) -> Figure {
             curves: curves.collect(),
         }],
         up: Scale::of("RMSE where a border crosses a pixel (1 = white)"),
-        doubt: None,
     }
 }
 

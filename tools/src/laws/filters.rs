@@ -77,7 +77,6 @@ pub(crate) fn figure(all: &[Series]) -> Figure {
             curves: curves.collect(),
         }],
         up: Scale::of("RMSE of a pixel (1 = white)"),
-        doubt: None,
     }
 }
 

@@ -112,7 +112,6 @@ pub(crate) fn figure(all: &[Series]) -> Figure {
             title: "share of wrong pixels",
             write: |share| format!("{} %", (1e6 * 100.0 * share).round() / 1e6),
         },
-        doubt: None,
     }
 }
 

@@ -1,16 +1,16 @@
-//! What is told of costs: the table and the sentences.
+//! Results of `cost` as a table and as sentences.
 
-use heliodon::measure::{Ladder, Timing, Variation, cost, effects_of};
+use heliodon::measure::{CostOptions, Sweep, Timing, Variation, cost, effects_of};
 use heliodon::render::render;
 
 use super::{SCENE, measured, room, scene};
 
 #[test]
-fn how_often_max_error_is_met_is_told() {
+fn the_share_of_pixels_that_keep_max_error_is_reported() {
     let mut scene = scene(SCENE);
     let cost = measured(&mut scene, &["max-error=0.05,0.00001", "samples=4"], 2);
-    let mut told = Vec::new();
-    for (rung, step, max_error) in [(1, "0.05", 0.05), (2, "0.00001", 1e-5)] {
+    let mut reported = Vec::new();
+    for (number, text, max_error) in [(1, "0.05", 0.05), (2, "0.00001", 1e-5)] {
         scene.settings.max_error = max_error;
         let (film, _) = render(&scene, &|_| ()).expect("a picture");
         let pairs = film.pixels().iter().zip(cost.reference.film.pixels());
@@ -24,21 +24,28 @@ fn how_often_max_error_is_met_is_told() {
             share > 0.5 && (share < 1.0) == (max_error < 0.05),
             "{share}"
         );
-        assert_eq!(cost.rungs[rung].met, Some(share));
-        told.push(format!("{:.2} % ({step})", 100.0 * share));
+        assert_eq!(cost.steps[number].within_max_error, Some(share));
+        reported.push(format!("{:.2} % ({text})", 100.0 * share));
     }
     assert_eq!(
-        [&cost.rungs[0], &cost.rungs[3]].map(|rung| rung.met),
+        [&cost.steps[0], &cost.steps[3]].map(|step| step.within_max_error),
         [None; 2]
     );
-    let words = format!("\nmax-error: met in {} of the pixels\n", told.join(", "));
+    let words = format!(
+        "\nmax-error: kept in {} of the pixels\n",
+        reported.join(", ")
+    );
     assert!(cost.words().contains(&words), "{words}: {}", cost.words());
 
-    // Rungs of other dials keep it, and are not told.
+    // Steps of other settings keep it, and are not reported.
     scene.settings.max_error = 0.05;
     let cost = measured(&mut scene, &["max-error=0.1", "samples=64"], 2);
-    assert!(cost.rungs.iter().all(|rung| rung.met.is_some()));
-    let words = cost.met_words().expect("a target");
+    assert!(
+        cost.steps
+            .iter()
+            .all(|step| step.within_max_error.is_some())
+    );
+    let words = cost.max_error_words().expect("a target");
     let steps: Vec<_> = words.split('(').skip(1).collect();
     assert_eq!(steps.len(), 2, "{words}");
     assert!(
@@ -50,10 +57,10 @@ fn how_often_max_error_is_met_is_told() {
     scene.settings.max_error = 0.0;
     let grid = ["samples=1,64", "max-error=0.1"];
     let grid = grid.map(|text| Variation::new(text).expect("a variation"));
-    let grid = Ladder::of_all(scene.settings, &grid).expect("a ladder");
-    let cost =
-        heliodon::measure::cost(&mut scene, &grid, None, 1, false, &|_, _| ()).expect("a cost");
-    let words = cost.met_words().expect("a target");
+    let grid = Sweep::grid(scene.settings, &grid).expect("a sweep");
+    let options = CostOptions::default();
+    let cost = heliodon::measure::cost(&mut scene, &grid, options, &|_, _| ()).expect("a cost");
+    let words = cost.max_error_words().expect("a target");
     for label in ["(samples=1 max-error=0.1)", "(samples=64 max-error=0.1)"] {
         assert!(words.contains(label), "{words}");
     }
@@ -64,30 +71,30 @@ fn what_is_tried_keeps_the_words_it_was_given_in() {
     // Each value twice: the first spelling stands for both.
     let variations = ["max-error=2/255, 0.00784313725490196", "cut-off=1 / 255"];
     let cost = measured(&mut scene(SCENE), &variations, 1);
-    let labels = cost.rungs.iter().map(|rung| rung.label.as_str());
+    let labels = cost.steps.iter().map(|step| step.label.as_str());
     assert!(labels.eq(["as it is", "max-error=2/255", "cut-off=1/255"]));
-    for (rung, dial, step, value) in [
+    for (step, setting, text, value) in [
         (0, "max-error", "0", 0.0),
         (1, "max-error", "2/255", 2.0 / 255.0),
         (2, "cut-off", "1/255", 1.0 / 255.0),
     ] {
-        let own = cost.rungs[rung].own(dial).expect("a step");
-        assert_eq!((own.step.as_str(), own.value), (step, Some(value)));
+        let own = cost.steps[step].own(setting).expect("a step");
+        assert_eq!((own.text.as_str(), own.value), (text, Some(value)));
     }
     let words = cost.words();
-    for sentence in ["\nmax-error=2/255 errs most ", " % (2/255) of the pixels\n"] {
+    for sentence in ["\nmax-error=2/255: ", " % (2/255) of the pixels\n"] {
         assert!(words.contains(sentence), "{sentence}: {words}");
     }
 }
 
 #[test]
-fn where_no_rung_errs_no_error_is_drawn() {
+fn without_errors_no_error_is_drawn() {
     let black = "image 32 24; camera { viewpoint 0 1 4; look-at 0 1 0 }";
     let cost = measured(&mut scene(black), &["samples=2,4"], 1);
-    assert!(cost.rungs.iter().all(|rung| rung.deviation.rmse == 0.0));
+    assert!(cost.steps.iter().all(|step| step.deviation.rmse == 0.0));
     // All letters are in the lowest row, which alone has a number.
     let text = cost.to_string();
-    let (_, chart) = text.split_once("  RMSE\n").expect("a chart");
+    let (_, chart) = text.split_once("  RMSE (1 = white)\n").expect("a chart");
     let (rows, _) = chart.split_once('└').expect("its end");
     let rows: Vec<_> = rows.lines().filter(|row| row.contains('│')).collect();
     let (lowest, others) = rows.split_last().expect("rows");
@@ -97,15 +104,15 @@ fn where_no_rung_errs_no_error_is_drawn() {
     let plot = cost.plot();
     let marks = plot.matches("class=\"mark\" text-anchor=\"end\"").count();
     assert_eq!(marks, 1, "{plot}");
-    assert!(!plot.contains("class=\"doubt\""), "{plot}");
+    assert!(!plot.contains("class=\"noise\""), "{plot}");
 }
 
 #[test]
 fn the_table_is_in_columns_and_has_the_letter_of_what_is_better() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4,64"], 1);
     let better = [Some("samples=64"), None, Some("samples=4")];
-    for (rung, better) in cost.rungs.iter_mut().zip(better) {
-        rung.dominated_by = better.map(str::to_owned);
+    for (step, better) in cost.steps.iter_mut().zip(better) {
+        step.dominated_by = better.map(str::to_owned);
     }
     let rows = cost.rows();
     let rows: Vec<Vec<char>> = rows.lines().map(|row| row.chars().collect()).collect();
@@ -132,39 +139,39 @@ fn the_table_fits_into_eighty_columns() {
     room.settings.width = 20;
     room.settings.height = 15;
     let effects = effects_of(&room).expect("a possible camera");
-    let each = Ladder::of(room.settings, &effects);
-    let all = Ladder::of_all(room.settings, &grid).expect("a ladder");
-    for (ladder, lines) in [(each, 1), (all, 2)] {
-        let cost = cost(&mut room, &ladder, None, 2, false, &|_, _| ()).expect("a cost");
+    let each = Sweep::of(room.settings, &effects);
+    let all = Sweep::grid(room.settings, &grid).expect("a sweep");
+    for (sweep, lines) in [(each, 1), (all, 2)] {
+        let options = CostOptions {
+            runs: 2,
+            ..CostOptions::default()
+        };
+        let cost = cost(&mut room, &sweep, options, &|_, _| ()).expect("a cost");
         let rows = cost.rows();
         let rows: Vec<_> = rows.lines().collect();
-        assert_eq!(
-            rows.len(),
-            2 + 1 + lines * (ladder.0.len() - 1),
-            "{rows:#?}"
-        );
+        assert_eq!(rows.len(), 2 + 1 + lines * (sweep.0.len() - 1), "{rows:#?}");
         for row in &rows {
             assert!(row.chars().count() <= 80 && row.trim_end() == *row, "{row}");
         }
-        // Each label is whole, and each rung has a name of its own.
+        // Each label is whole, and each step has a name of its own.
         let named = rows
             .iter()
             .filter(|row| row.contains('=') || row.contains("as it is"));
         let mut names: Vec<_> = named.filter_map(|row| row.split(' ').next()).collect();
-        for rung in &ladder.0 {
+        for step in &sweep.0 {
             assert!(
-                rows.iter().any(|row| row.contains(&rung.label)),
+                rows.iter().any(|row| row.contains(&step.label)),
                 "{rows:#?}"
             );
         }
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), ladder.0.len(), "{names:?}");
+        assert_eq!(names.len(), sweep.0.len(), "{names:?}");
     }
 }
 
 #[test]
-fn no_time_is_told_as_none() {
+fn no_time_is_shown_as_zero() {
     let mut cost = measured(&mut scene(SCENE), &["samples=4"], 1);
     let shown = ["12.3", "24.7"];
     for (seconds, unit, on_page) in [
@@ -172,12 +179,12 @@ fn no_time_is_told_as_none() {
         (0.012_34, "ms", "12.3 ± 0.2 ms"),
         (12.34, "s", "12340 ± 247 ms"),
     ] {
-        for (rung, factor) in cost.rungs.iter_mut().zip([1.0, 2.0]) {
-            rung.cpu = Timing {
+        for (step, factor) in cost.steps.iter_mut().zip([1.0, 2.0]) {
+            step.cpu = Timing {
                 median: factor * seconds,
                 deviation: Some(0.02 * seconds),
             };
-            rung.wall = rung.cpu;
+            step.wall = step.cpu;
         }
         let rows = cost.rows();
         let words: Vec<Vec<_>> = rows
@@ -196,26 +203,26 @@ fn no_time_is_told_as_none() {
 }
 
 #[test]
-fn a_step_of_a_dial_has_the_word_of_that_dial() {
+fn a_step_of_a_setting_has_the_value_of_that_setting() {
     for (rounding, others) in [("round", "truncate"), ("truncate", "round")] {
         let image = format!("image 32 24 quantize=\"{rounding}\"");
         let mut scene = scene(&SCENE.replace("image 32 24", &image));
         let effects = effects_of(&scene).expect("a possible camera");
-        let ladder = Ladder::of(scene.settings, &effects);
-        let cost = cost(&mut scene, &ladder, None, 1, false, &|_, _| ()).expect("a cost");
+        let sweep = Sweep::of(scene.settings, &effects);
+        let cost = cost(&mut scene, &sweep, CostOptions::default(), &|_, _| ()).expect("a cost");
         let words = cost.words();
         for expected in [
-            "\npattern: by itself stratified errs by ",
-            &format!("\nquantize: by itself {rounding} errs by "),
-            &format!(", {others} errs by "),
-            "\nnumerics: by itself robust errs by ",
-            "\npattern=random errs most ",
-            "\nquantize=truncate errs most ",
+            "\npattern: own error ",
+            " (stratified), ",
+            &format!(" ({rounding}), "),
+            &format!(" ({others})\n"),
+            "\nnumerics: own error 0 in ",
+            "\npattern=random: ",
+            "\nquantize=truncate: ",
         ] {
             assert!(words.contains(expected), "{expected:?} in\n{words}");
         }
-        let by_itself = words.lines().filter(|line| line.contains("by itself"));
-        for line in by_itself {
+        for line in words.lines().filter(|line| line.contains(": own error ")) {
             assert!(!line.contains("as it is") && !line.contains('='), "{line}");
         }
         let plot = cost.plot();

@@ -1,51 +1,51 @@
 //! Curves in panels.
 
-use super::frame::Write;
+use super::axis::Axis;
+use super::color_class;
+use super::frame::{Frame, Write, number};
 use super::labels::spread;
-use super::{Axis, Frame, HUES, STYLE, Svg, number};
+use super::svg::{Place, Svg};
 
-/// Curves in panels side by side, which share their vertical axis.
+/// Curves in panels side by side with one vertical axis.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    /// The panels from left to right. The labels of the last one's curves stand for all.
+    /// Panels from left to right; the labels of the last one stand for all.
     pub panels: Vec<Panel>,
-    /// What goes up.
+    /// Vertical axis.
     pub up: Scale,
-    /// What lies below this number means nothing, and why.
-    pub doubt: Option<(f64, &'static str)>,
 }
 
-/// What an axis shows; it is logarithmic.
+/// Title and number format of a logarithmic axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Scale {
-    /// What it is, with its unit.
+    /// Quantity with its unit.
     pub title: &'static str,
-    /// How a number of it is written.
+    /// Format of a number.
     pub write: fn(f64) -> String,
 }
 
-/// Curves over one axis.
+/// Curves over one horizontal axis.
 #[derive(Debug, Clone)]
 pub struct Panel {
-    /// What is above it.
+    /// Title above it.
     pub title: &'static str,
-    /// What goes from left to right.
+    /// Horizontal axis.
     pub across: Scale,
-    /// The curves.
+    /// Curves, drawn in order.
     pub curves: Vec<Curve>,
 }
 
-/// A line through some points.
+/// A line through points.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// What stands at its end.
+    /// Text at its end.
     pub label: String,
-    /// The number of its colour; any number has one.
+    /// Number of its colour; any number has one.
     pub hue: usize,
-    /// Whether it is a bound, which is drawn as a line of dashes without dots.
+    /// True if it is a bound: a dashed line without dots.
     pub is_bound: bool,
-    /// The points from left to right. A second number of zero is drawn on a line of its own, below the
-    /// axis; others, and all first ones, are above zero.
+    /// Points from left to right, above zero; a second number may be zero, which has a line of its
+    /// own below the axis.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -60,29 +60,27 @@ impl Scale {
 
 const SIZE: [f64; 2] = [880.0, 430.0];
 const LEFT: f64 = 72.0;
-/// Where labels of curves start, from the right.
+/// Room for the labels of curves, on the right.
 const MARGIN: f64 = 186.0;
 const TOP: f64 = 52.0;
 const BOTTOM: f64 = SIZE[1] - 48.0;
-/// Between two panels.
+/// Room between two panels.
 const GUTTER: f64 = 40.0;
-/// From the line of zeros to the axis.
+/// Distance of the line of zeros from the axis.
 const ZERO: f64 = 26.0;
-/// From one label to the next.
+/// Height of a label.
 const LINE: f64 = 17.0;
 
 impl Figure {
     /// The figure as an SVG file.
     #[must_use]
     pub fn svg(&self) -> String {
-        let mut svg = Svg::default();
-        svg.rectangle("sheet", [0.0, 0.0], SIZE);
+        let mut svg = Svg::paper(SIZE);
         let numbers = || {
             let curves = self.panels.iter().flat_map(|panel| &panel.curves);
             curves.flat_map(|curve| curve.points.iter().map(|point| point[1]))
         };
-        let doubt = self.doubt.map(|(number, _)| number);
-        let up = Axis::around(numbers().chain(doubt));
+        let up = Axis::around(numbers());
         let bottom = match numbers().any(|number| number == 0.0) && !up.is_zero() {
             true => BOTTOM - ZERO,
             false => BOTTOM,
@@ -94,53 +92,38 @@ impl Figure {
         let mut left = LEFT;
         for (number, panel) in self.panels.iter().enumerate() {
             let points = panel.curves.iter().flat_map(|curve| &curve.points);
+            let right = left + wide;
             let frame = Frame {
-                across: [left, left + wide],
+                across: [left, right],
                 down: [TOP, bottom],
                 foot: BOTTOM + 19.0,
                 x: Axis::around(points.map(|point| point[0])),
                 y: up,
             };
             let is_first = number == 0;
-            frame.draw(
-                &mut svg,
-                panel.across.write,
-                is_first.then_some(self.up.write),
-            );
+            let write_up = is_first.then_some(self.up.write);
+            frame.draw(&mut svg, panel.across.write, write_up);
             if bottom < BOTTOM {
-                svg.line("grid", [left, BOTTOM], [left + wide, BOTTOM]);
+                svg.line("grid", [left, BOTTOM], [right, BOTTOM]);
                 if is_first {
                     svg.text("mark", "end", [left - 8.0, BOTTOM + 4.0], "none");
                 }
             }
-            self.error_bounds(&mut svg, &frame);
             svg.text("key", "start", [left, TOP - 9.0], panel.title);
-            let title = [left + wide, SIZE[1] - 9.0];
-            svg.text("note", "end", title, panel.across.title);
+            svg.text("note", "end", [right, SIZE[1] - 9.0], panel.across.title);
             let ends = panel.draw(&mut svg, &frame);
             if number + 1 == self.panels.len() {
-                panel.name(&mut svg, &ends, left + wide);
+                panel.label(&mut svg, &ends, right);
             }
-            left += wide + GUTTER;
+            left = right + GUTTER;
         }
-        svg.file(SIZE, STYLE)
-    }
-
-    /// Draws the band of what means nothing.
-    fn error_bounds(&self, svg: &mut Svg, frame: &Frame) {
-        let Some((number, why)) = self.doubt else {
-            return;
-        };
-        let [left, right] = frame.across;
-        let [_, at] = frame.place([frame.x.least, number]);
-        svg.rectangle("doubt", [left, at], [right - left, frame.down[1] - at]);
-        svg.text("note", "start", [left + 8.0, frame.down[1] - 8.0], why);
+        svg.file(SIZE)
     }
 }
 
 impl Panel {
-    /// Draws the curves, and tells where they end.
-    fn draw(&self, svg: &mut Svg, frame: &Frame) -> Vec<[f64; 2]> {
+    /// Draws the curves and returns their ends.
+    fn draw(&self, svg: &mut Svg, frame: &Frame) -> Vec<Place> {
         let mut ends = Vec::new();
         for curve in &self.curves {
             let places = curve.points.iter().map(|point| match point[1] {
@@ -148,13 +131,13 @@ impl Panel {
                 _ => frame.place(*point),
             });
             let places: Vec<_> = places.collect();
-            let hue = curve.hue % HUES;
+            let color = color_class(Some(curve.hue));
             if curve.is_bound {
-                svg.path(&format!("bound hue-{hue}"), &places);
+                svg.polyline(&format!("bound {color}"), &places);
             } else {
-                svg.path(&format!("curve hue-{hue}"), &places);
+                svg.polyline(&format!("curve {color}"), &places);
                 for place in &places {
-                    svg.circle(&format!("dot hue-{hue}"), *place, 3.5);
+                    svg.circle(&format!("dot {color}"), *place, 3.5);
                 }
             }
             ends.extend(places.last());
@@ -162,19 +145,17 @@ impl Panel {
         ends
     }
 
-    /// Writes the names of the curves beside their ends.
-    fn name(&self, svg: &mut Svg, ends: &[[f64; 2]], right: f64) {
+    /// Draws the labels of the curves beside their ends.
+    fn label(&self, svg: &mut Svg, ends: &[Place], right: f64) {
         let mut heights: Vec<_> = ends.iter().map(|end| end[1]).collect();
         spread(&mut heights, LINE, [TOP, BOTTOM]);
         for ((curve, end), height) in self.curves.iter().zip(ends).zip(heights) {
-            let hue = curve.hue % HUES;
+            let color = color_class(Some(curve.hue));
             let [from, to] = [right + 12.0, right + 24.0];
-            svg.path(
-                &format!("leader hue-{hue}"),
-                &[*end, [from, end[1]], [to, height]],
-            );
+            let leader = [*end, [from, end[1]], [to, height]];
+            svg.polyline(&format!("leader {color}"), &leader);
             let place = [to + 5.0, height + 4.0];
-            svg.text(&format!("end hue-{hue}"), "start", place, &curve.label);
+            svg.text(&format!("end {color}"), "start", place, &curve.label);
         }
     }
 }
@@ -205,7 +186,6 @@ mod tests {
         let figure = |last| Figure {
             panels: vec![panel(0.1), panel(last)],
             up: Scale::of("error"),
-            doubt: None,
         };
         let svg = figure(0.1).svg();
         assert!(svg.starts_with("<svg xmlns="));
