@@ -146,7 +146,7 @@ fn antialiasing(plan: &Plan<'_>) -> Decision {
             pattern.word()
         ),
     };
-    Decision::new(Effect::Antialiasing, why, of_picture(plan, on))
+    Decision::new(Effect::Antialiasing, why, of_settings(plan, on))
 }
 
 fn transfer_curve(plan: &Plan<'_>) -> Decision {
@@ -154,15 +154,15 @@ fn transfer_curve(plan: &Plan<'_>) -> Decision {
         Transfer::None => (false, "code values are shares of intensity 1"),
         Transfer::Srgb => (true, "`transfer` asks for that of sRGB"),
     };
-    let causes = of_picture(plan, on);
+    let causes = of_settings(plan, on);
     Decision::new(Effect::TransferCurve, why.to_owned(), causes)
 }
 
 /// The picture as the only cause, if it is one.
-fn of_picture(plan: &Plan<'_>, causes_effect: bool) -> Vec<Cause> {
-    let picture = &plan.scene.settings;
+fn of_settings(plan: &Plan<'_>, causes_effect: bool) -> Vec<Cause> {
+    let settings = &plan.scene.settings;
     causes_effect
-        .then(|| Cause::of_picture(picture))
+        .then(|| Cause::of_picture(settings))
         .into_iter()
         .collect()
 }

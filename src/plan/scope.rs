@@ -3,7 +3,7 @@
 /// The scope of the simulation; the picture does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scope {
-    /// Only effects of the scene: work that provably changes nothing is skipped.
+    /// Only effects that the scene contains; work that changes nothing is skipped.
     #[default]
     CalledFor,
     /// Everything: every surface is tested, and every effect is computed.

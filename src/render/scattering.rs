@@ -45,8 +45,9 @@ fn refracted([lateral, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64)
     // With μ for the ratio, the law of refraction is sin β = μ sin α. An error of the arriving
     // direction in the plane of both rays grows by μ cos α / cos β. A rotation about the normal
     // rotates the parts along the surface by the same angle, and grows by μ. If the normal is off
-    // by an angle, so is α, but β is measured from that normal. In the plane the ray is off by |μ
-    // cos α / cos β − 1| times the angle, and across it by |μ cos α − cos β| times, which is less.
+    // by an angle, so is α, but β is measured from that normal. In the plane the ray is off by
+    // |μ cos α / cos β − 1| times the angle, and across it by |μ cos α − cos β| times, which is
+    // less.
     //
     // Toward the critical angle cos β goes to zero, and these factors grow without bound. So they
     // are evaluated for the largest possible α. If that one is reflected totally, there is no

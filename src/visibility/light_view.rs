@@ -15,7 +15,7 @@ use super::surface_list::SurfaceList;
 use crate::math::{CarrierId, Point, Side};
 use crate::surface::Lamp;
 
-/// The largest number of surfaces with an own list of occluders each.
+/// The largest number of surfaces that each have their own list of occluders.
 ///
 /// In larger scenes all share one list. Building the lists takes time proportional to the square of
 /// the number of surfaces. With a smaller limit, scenes of a few dozen surfaces test shadows in

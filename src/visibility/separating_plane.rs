@@ -81,13 +81,13 @@ impl SeparatingPlane {
         // rounding. If the ray enters a ball of radius r below the plane, its foot F from the
         // centre C is in the ball, and at most ε below the plane. So F − C rises by at least r − ε,
         // and its part along the plane is at most √(2 r ε). The ray's direction falls by h/D, up to
-        // rounding, and is at right angles to F − C. Hence (r − ε) h/D ≤ √(2 r ε). If h² r > 8 ε
-        // D², that is false: then the foot lies beyond the ray's end, and a ball that is entered
-        // only beyond the end hides nothing.
+        // rounding, and is at right angles to F − C. Hence (r − ε) h/D ≤ √(2 r ε).
+        // If h² r > 8 ε D², that is false: then the foot lies beyond the ray's end, and a ball that
+        // is entered only beyond the end hides nothing.
         //
         // An ellipsoid is a ball of radius 1 in a scaled space. There lengths are divided by at
-        // least the shortest half axis, and heights by at most the longest: h² short³/long² > 8 ε
-        // D².
+        // least the shortest half axis, and heights by at most the longest. So the condition is
+        // h² short³/long² > 8 ε D².
         let (offset, length) = point.seen_from(self.point);
         let size = length + self.size;
         let bound = OCCLUSION * size + 8.0 * (error + self.error);

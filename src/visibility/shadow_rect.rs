@@ -58,8 +58,9 @@ impl ShadowRect {
         }
         // The errors of the tested line, the deciding occluder and the point add up to at most the
         // tolerance τ, so a line that counts as a hit comes within τ of the hull. Let the whole
-        // hull be lower than the light by gap > 2 τ. For the point Y of the line nearest to X, Q(Y)
-        // = P, and P is within 2 τ (H + |P − L|) / gap of Q(X). Twice that is added on every side.
+        // hull be lower than the light by gap > 2 τ. For the point Y of the line nearest to X,
+        // Q(Y) = P, and P is within 2 τ (H + |P − L|) / gap of Q(X). Twice that is added on every
+        // side.
         let margin = 8.0 * tolerance * (length / gap);
         range.low -= margin;
         range.high += margin;
