@@ -11,7 +11,7 @@ use super::{Arrival, Event, Probe, RayKind, Tracer};
 
 impl Tracer<'_> {
     /// The surface's own colour, faded: ambient, and the light of every light and lamp.
-    // Never inlined, as the stack then holds its part for every mirror on the way.
+    // Never inlined, because the recursion would hold its stack frame for every reflection.
     #[inline(never)]
     pub(super) fn own_color(&self, at: &Interaction<'_, '_>, probe: &mut impl Probe) -> Rgb {
         let mut color = self.color_of_lights(at, probe);
@@ -30,7 +30,7 @@ impl Tracer<'_> {
     #[inline(always)]
     fn color_of_lights(&self, at: &Interaction<'_, '_>, probe: &mut impl Probe) -> Rgb {
         let Interaction { primitive, hit, .. } = *at;
-        // A sum stays in registers, while the answer of a virtual call is in memory.
+        // A sum stays in registers, while the result of a virtual call is in memory.
         let mut color = primitive.surface.getamb(hit) + Rgb::BLACK;
         if self.plan.scene.lights.is_empty() {
             return color;

@@ -1,4 +1,4 @@
-//! The part of the raster in which each surface can appear.
+//! Screen bounds: the part of the raster in which each surface can appear.
 
 use super::padded_bounds::shared_border_error;
 use super::primitive::Primitive;
@@ -27,7 +27,7 @@ pub enum Visible<'s, 'a> {
 }
 
 impl<'a> ScreenBounds<'a> {
-    /// The rectangles of all surfaces before a camera.
+    /// The rectangles of all surfaces in front of a camera.
     #[must_use]
     pub fn new(surfaces: &SurfaceList<'a>, camera: &Camera) -> Self {
         let window = |primitive: &Primitive<'a>| {
@@ -49,7 +49,7 @@ impl<'a> ScreenBounds<'a> {
         }
     }
 
-    /// Returns for each of so many surfaces whether it can appear in a raster of this size.
+    /// Returns for each of `count` surfaces whether it can appear in a raster.
     #[must_use]
     pub fn visible(&self, size: [u32; 2], count: usize) -> Vec<bool> {
         let mut seen = vec![false; count];
@@ -61,14 +61,14 @@ impl<'a> ScreenBounds<'a> {
 
     /// The surfaces that camera rays through a pixel span can hit.
     #[must_use]
-    pub fn along(&self, stretch: &PixelSpan<'_>) -> Visible<'_, 'a> {
+    pub fn along(&self, span: &PixelSpan<'_>) -> Visible<'_, 'a> {
         let mut here = self
             .seen
             .iter()
-            .filter(|(window, _)| window.meets_stretch(stretch));
+            .filter(|(window, _)| window.meets_stretch(span));
         match (here.next(), here.next()) {
             (None, _) => Visible::Nothing,
-            (Some((window, primitive)), None) if window.holds_stretch(stretch) => {
+            (Some((window, primitive)), None) if window.holds_stretch(span) => {
                 Visible::One(primitive)
             }
             _ => Visible::Several,
