@@ -32,8 +32,8 @@ impl Ball {
     /// The narrowest cone around it with its top in a place: the unit direction of its axis and its
     /// half-angle in radians.
     ///
-    /// `None` if the place is so near that the angle changes fast, or so near beside its own size that
-    /// rounding counts.
+    /// `None` if the place is so near that the angle changes fast, or so near beside its own size
+    /// that rounding counts.
     #[must_use]
     pub fn cone_from(&self, place: DVec3) -> Option<(DVec3, f64)> {
         let way = self.center - place;
@@ -52,8 +52,9 @@ impl Ball {
         })
     }
 
-    /// Whether a way from another ball to this place, whose rounding is that of its whole length, passes this
-    /// one by an angle that is still known where both are in cones with their top in the place.
+    /// Whether a way from another ball to this place, whose rounding is that of its whole length,
+    /// passes this one by an angle that is still known where both are in cones with their top in
+    /// the place.
     #[must_use]
     pub fn is_told_from(&self, place: DVec3, other: &Self) -> bool {
         is_clear(other.center, place, (self.center - place).length())

@@ -6,9 +6,9 @@ use super::{Flat, Footprint, Point};
 
 /// A ray and its neighbours: how origin and direction change from pixel to pixel.
 ///
-/// From the eye and behind flat mirrors all rays of a beam go through one point, and what is said of
-/// its footprints is exact. Behind round mirrors it is right to first order (Igehy 1999, "Tracing Ray
-/// Differentials").
+/// From the eye and behind flat mirrors all rays of a beam go through one point, and what is said
+/// of its footprints is exact. Behind round mirrors it is right to first order (Igehy 1999,
+/// "Tracing Ray Differentials").
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Beam {
     origin: Point,
@@ -92,8 +92,8 @@ impl Beam {
         }
     }
 
-    /// The beam behind a round mirror with these half axes, which it meets at a point that is seen from
-    /// its centre.
+    /// The beam behind a round mirror with these half axes, which it meets at a point that is seen
+    /// from its centre.
     #[must_use]
     pub fn mirrored_at(&self, point: Point, normal: DVec3, axes: DVec3) -> Self {
         let origin_steps = self.steps_at(&point, normal);

@@ -8,8 +8,8 @@ use super::{ExactFrame, Line};
 
 /// A plane and the borders of what lies in it, from the decimals of the scene.
 ///
-/// Surfaces are compared by these numbers when a scene is loaded: only here are 0.1 + 0.2 and 0.3 one
-/// place.
+/// Surfaces are compared by these numbers when a scene is loaded: only here are 0.1 + 0.2 and 0.3
+/// one place.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
     /// A point of the plane.

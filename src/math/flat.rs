@@ -154,7 +154,8 @@ impl Flat {
         Side::of(self.exact_height(exact).sign())
     }
 
-    /// Whether some of a ball with this centre, stretched to these half axes, is strictly on a side.
+    /// Whether some of a ball with this centre, stretched to these half axes, is strictly on a
+    /// side.
     ///
     /// Along the normal `n` it reaches as far as `√Σ (aᵢ nᵢ)²` from its centre.
     #[must_use]
@@ -200,8 +201,8 @@ impl Flat {
         other.side(&Point::exact(self.base)) == side
     }
 
-    /// Where the line of a ray crosses the plane, seen from a scene point: a vector, and what it has
-    /// to be divided by, exactly.
+    /// Where the line of a ray crosses the plane, seen from a scene point: a vector, and what it
+    /// has to be divided by, exactly.
     pub(super) fn exact_place(&self, ray: &Ray, from: DVec3) -> (ExactVector, Exact) {
         let (normal, dir) = (ExactVector::from(self.decisive), ExactVector::from(ray.dir));
         let slope = normal.dot(&dir);
@@ -237,8 +238,8 @@ impl Flat {
         span.admits(t, error).then_some((t, error))
     }
 
-    /// How far at most a distance at which a ray meets the plane is from the exact one, by the way from the
-    /// plane's point to the ray's origin.
+    /// How far at most a distance at which a ray meets the plane is from the exact one, by the way
+    /// from the plane's point to the ray's origin.
     #[must_use]
     pub fn error(&self, ray: &Ray, t: f64) -> f64 {
         let (origin, size) = ray.origin.seen_from(self.point);

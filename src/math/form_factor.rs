@@ -12,9 +12,9 @@ use glam::DVec3;
 /// The form factor of a flat convex shape with these corners, which run counter-clockwise as seen
 /// from its shining side; from 0 to 1.
 ///
-/// The sum over the borders (Lambert 1760, "Photometria", and in vectors: Baum, Rushmeier and Winget
-/// 1989, "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors") of
-/// the part above the horizon, one of which is the cut along it.
+/// The sum over the borders (Lambert 1760, "Photometria", and in vectors: Baum, Rushmeier and
+/// Winget 1989, "Improving Radiosity Solutions Through the Use of Analytically Determined
+/// Form-Factors") of the part above the horizon, one of which is the cut along it.
 #[must_use]
 pub fn of_polygon(corners: &[DVec3], normal: DVec3) -> f64 {
     let next = corners.iter().cycle().skip(1);
@@ -36,7 +36,8 @@ pub fn of_polygon(corners: &[DVec3], normal: DVec3) -> f64 {
     (-sum / (2.0 * PI)).clamp(0.0, 1.0)
 }
 
-/// A border's part in the sum: the angle that it spans, by how far its plane is from holding the normal.
+/// A border's part in the sum: the angle that it spans, by how far its plane is from holding the
+/// normal.
 fn of_border(from: DVec3, to: DVec3, normal: DVec3) -> f64 {
     // From afar the border is short and both ends are far; their product would be rounding.
     let across = from.cross(to - from);

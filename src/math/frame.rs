@@ -73,7 +73,8 @@ impl Frame {
     /// Where a ray meets a plane, as the exact offset from the plane's point along both axes;
     /// `None` if it runs along the plane.
     ///
-    /// With `m = d × c` it is `(y·m, −x·m)` divided by `n·d`, as in [`Rectangle`](super::Rectangle).
+    /// With `m = d × c` it is `(y·m, −x·m)` divided by `n·d`, as in
+    /// [`Rectangle`](super::Rectangle).
     #[must_use]
     pub fn exact_offset(&self, flat: &Flat, ray: &Ray) -> Option<[RBig; 2]> {
         let dir = ExactVector::from(ray.dir);

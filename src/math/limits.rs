@@ -4,8 +4,8 @@ use super::error_bounds::{UNDERFLOW, UNIT};
 use super::exact::Sign;
 use super::{Flat, Ray, Side, Span};
 
-/// The distances along a ray that count, as rounded values and as what they mean: up to a plane, from a
-/// plane on, or all ahead.
+/// The distances along a ray that count, as rounded values and as what they mean: up to a plane,
+/// from a plane on, or all ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits<'a> {
     span: Span,
@@ -39,8 +39,8 @@ impl<'a> Limits<'a> {
     /// What lies in a plane across the z axis, or below it.
     ///
     /// The ray's way to the plane has a rounding in the difference of anchors and one in the sum;
-    /// the slope is a component of the direction, without any; its reciprocal and the product have one
-    /// each. In units of what is rounded that is 1 and 3.
+    /// the slope is a component of the direction, without any; its reciprocal and the product have
+    /// one each. In units of what is rounded that is 1 and 3.
     #[must_use]
     #[inline]
     pub fn below(plane: &'a Flat, ray: &Ray) -> Self {
@@ -81,12 +81,12 @@ impl<'a> Limits<'a> {
         self.span
     }
 
-    /// Whether something counts that was met in the span, at distance `t` but for this error; `flat` is
-    /// its plane, if it lies in one.
+    /// Whether something counts that was met in the span, at distance `t` but for this error;
+    /// `flat` is its plane, if it lies in one.
     ///
-    /// A plane along that of the limit lies on one side of it, whatever the ray, and that is decided
-    /// exactly. What passes through that plane counts as far as it, and there within rounding: the
-    /// direction of a ray that is aimed at the very place is rounded itself.
+    /// A plane along that of the limit lies on one side of it, whatever the ray, and that is
+    /// decided exactly. What passes through that plane counts as far as it, and there within
+    /// rounding: the direction of a ray that is aimed at the very place is rounded itself.
     #[must_use]
     #[inline(always)]
     pub fn hold(&self, t: f64, error: f64, flat: Option<&Flat>) -> bool {

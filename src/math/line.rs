@@ -11,7 +11,8 @@ use super::{Crossing, Decisions, Flat, Grazing, Ray};
 pub struct Line {
     /// A point from which the line is reached by going `across` to the outer side.
     pub point: DVec3,
-    /// Along the line, of unit length if `across` is not zero; seen from the front the inner side is on the right.
+    /// Along the line, of unit length if `across` is not zero; seen from the front the inner side
+    /// is on the right.
     pub dir: DVec3,
     /// What rounding took from `dir`.
     pub dir_rest: DVec3,
@@ -83,8 +84,8 @@ impl Line {
     /// On which side of the line a ray crosses the plane, if the line is brought into the plane;
     /// positive on the inner side.
     ///
-    /// Of a ray that is nearly parallel to the plane, [`side`](Self::side) says little about where it
-    /// crosses, since the line lies off the plane by a rounding.
+    /// Of a ray that is nearly parallel to the plane, [`side`](Self::side) says little about where
+    /// it crosses, since the line lies off the plane by a rounding.
     #[must_use]
     fn side_in_plane(&self, ray: &Ray, flat: &Flat) -> Sign {
         let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
@@ -94,8 +95,8 @@ impl Line {
         (&right.dot(&place) + &shift).sign() * slope.sign()
     }
 
-    /// How far at most a corner of a surface, which ought to lie on the line, lies from it in the plane,
-    /// and the line there from the plane.
+    /// How far at most a corner of a surface, which ought to lie on the line, lies from it in the
+    /// plane, and the line there from the plane.
     #[must_use]
     pub fn apart(&self, corner: &ExactVector, flat: &Flat) -> f64 {
         let (point, dir) = (ExactVector::from(self.point), ExactVector::from(self.dir));
@@ -118,8 +119,8 @@ impl Line {
 /// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding;
 /// `corners` are the surface's.
 ///
-/// A ray that is nearly parallel to the plane is asked where it crosses the plane itself, and so never
-/// meets what lies elsewhere.
+/// A ray that is nearly parallel to the plane is asked where it crosses the plane itself, and so
+/// never meets what lies elsewhere.
 ///
 /// A ray that starts within rounding of the plane crosses it where it starts. If it starts within
 /// rounding of the surface, it meets it, unless the surface hangs on the other side of the plane

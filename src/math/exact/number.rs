@@ -215,8 +215,8 @@ mod tests {
     fn nothing_is_lost() {
         let tenth = Exact::from(0.1);
         let sum = &(&tenth + &tenth) + &tenth;
-        // In doubles 0.1 + 0.1 + 0.1 is 0.30000000000000004; exactly it is above the double 0.3 too,
-        // but by less than one rounding.
+        // In doubles 0.1 + 0.1 + 0.1 is 0.30000000000000004; exactly it is above the double 0.3
+        // too, but by less than one rounding.
         assert_eq!((&sum - &Exact::from(0.3)).sign(), Sign::Positive);
         assert_eq!(
             (&sum - &Exact::from(0.1 + 0.1 + 0.1)).sign(),
