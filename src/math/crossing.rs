@@ -23,11 +23,11 @@ pub struct Crossing {
     ///
     /// Such a ray crosses the plane at its start, and its line decides little there.
     pub at_start: Option<f64>,
-    /// The kind of crossing of a ray nearly parallel to the plane; `None` for all others.
+    /// The kind of crossing, if the ray is nearly parallel to the plane.
     pub grazing: Option<Grazing>,
 }
 
-/// A crossing nearly along the plane, for which only exact arithmetic decides borders.
+/// A crossing nearly along the plane; only exact arithmetic decides its borders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grazing {
     /// The ray crosses the plane ahead.
@@ -37,7 +37,7 @@ pub enum Grazing {
 }
 
 impl Crossing {
-    /// Returns whether borders need the exact test, however far the rounded point is from them.
+    /// Returns whether borders are tested exactly even far from the rounded point.
     #[must_use]
     #[inline(always)]
     pub fn is_delicate(&self) -> bool {
@@ -72,7 +72,7 @@ impl Crossing {
     }
 }
 
-/// The least slope that is not [`GRAZING`], for the normal of any surface in the plane.
+/// The least slope that is not [`GRAZING`] for any surface's normal in the plane.
 const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 
 /// The error that rounded values do not decide.
@@ -80,7 +80,7 @@ const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 pub struct InDoubt;
 
 impl Flat {
-    /// The crossing of a segment whose ends lie strictly on opposite sides of the plane.
+    /// The crossing of a segment whose ends are strictly on opposite sides.
     ///
     /// Only then can a surface in this plane occlude. `end` is the side of the segment's end.
     #[must_use]
@@ -111,7 +111,7 @@ impl Flat {
         })
     }
 
-    /// The crossing of a ray and the plane ahead of its origin; `None` for a ray along the plane.
+    /// The crossing of a ray and the plane ahead; a ray along the plane has none.
     #[must_use]
     #[inline(always)]
     pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
@@ -178,7 +178,7 @@ impl Flat {
         })
     }
 
-    /// The kind of crossing of a ray nearly parallel to the plane; `None` for all others.
+    /// The kind of crossing, if the ray is nearly parallel to the plane.
     #[inline(always)]
     fn grazing(
         &self,
@@ -203,8 +203,7 @@ impl Flat {
         })
     }
 
-    /// The side of the plane on which a ray starts, and the origin's error bound if it is
-    /// inherited.
+    /// The side on which a ray starts, and the origin's error bound if inherited.
     ///
     /// A point within rounding of the plane inherits the side of the ray that arrived there.
     // The origin of a ray that leaves a surface is rounded, so close to this plane its own side
@@ -237,7 +236,7 @@ impl Flat {
         (side, Some(rounding))
     }
 
-    /// The height of a hit above the plane; `None` if its sign is within the error bound.
+    /// The height of a hit above the plane; `None` if its sign is uncertain.
     fn certain_height(&self, hit: &RayOrigin<'_>) -> Option<f64> {
         let (way, size) = hit.point.seen_from(self.point);
         let height = self.normal.dot(way);
@@ -245,7 +244,7 @@ impl Flat {
         is_certain.then_some(height)
     }
 
-    /// Returns whether a ray leaves a hit so close to the plane that its side is inherited.
+    /// Returns whether a ray leaves a hit within rounding of the plane.
     #[must_use]
     pub fn is_next_to_start(&self, ray: &Ray) -> bool {
         let ray_origin = ray.spawned_from;

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// The footprint of a pixel on a plane: the image of the unit square around the origin.
+/// The footprint of a pixel on a plane: the image of the centred unit square.
 ///
 /// The point `(s, t)` of the square lies at `x/w, y/w` on the plane. There `(x, y, w)` is `center`
 /// plus `s` and `t` times the two steps: a projective map (Heckbert 1989, "Fundamentals of Texture
@@ -15,7 +15,7 @@ pub struct Footprint {
     pub steps: [DVec3; 2],
 }
 
-/// A footprint to first order: a point on a surface, and its change from pixel to pixel.
+/// A footprint to first order: a point, and its change from pixel to pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// The point at the pixel's middle.
@@ -65,9 +65,9 @@ impl Spread {
         }
     }
 
-    /// The longer axis of the ellipse that a circle of diameter 1 becomes, and the shorter length.
+    /// The longer axis of the image of a circle, and the length of the shorter one.
     ///
-    /// These are the singular values of the two steps.
+    /// The circle has diameter 1; the lengths are the singular values of the two steps.
     #[must_use]
     pub fn axes(&self) -> (DVec2, f64) {
         let [right, up] = self.steps;

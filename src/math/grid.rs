@@ -46,7 +46,7 @@ impl Grid {
     /// The number of cells that a double can count; the cells beyond are unknown.
     pub const MOST_CELLS: f64 = 9_007_199_254_740_992.0; // 2^53
 
-    /// The number of the cell of a point: `k` from line `k` up to, not on, line `k + 1`.
+    /// The number of a point's cell: `k` from line `k` up to, not on, line `k + 1`.
     #[must_use]
     pub fn cell(&self, place: f64) -> f64 {
         if let Some(cell) = self.certain_cell(place, 0.0) {

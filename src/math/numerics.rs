@@ -7,10 +7,10 @@ use crate::language::words;
 /// The classic ones are the chapter's own algorithm. They are the baseline of tests and of costs.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Numerics {
-    /// Exact decisions without offset or tolerance: a ray cannot hit the carrier that it leaves.
+    /// Exact decisions: a ray cannot hit the carrier that it leaves. No offset.
     #[default]
     Robust,
-    /// The chapter's algorithm in world coordinates and 64-bit floats, with a small offset.
+    /// The chapter's algorithm in 64-bit world coordinates, with a small offset.
     Classic,
     /// The same in 32-bit floats.
     ClassicF32,

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Flat, Ray};
 
-/// Rays from one point in free space, with directions on a line between two vectors.
+/// Rays from one point in free space, with directions between two vectors.
 ///
 /// The directions are made unit after they are interpolated.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ pub enum Crossings {
 /// Half of it would be enough. A larger ratio decides fewer packets.
 const CLEARLY: f64 = 1_048_576.0;
 
-/// The least ratio of the distances to plane and screen that decides for a whole packet.
+/// The least ratio of plane and screen distance that decides for a whole packet.
 ///
 /// It exceeds 1 by far more than the error of the distances, which [`CLEARLY`] bounds.
 const BEYOND: f64 = 1.0 + 1.0 / 512.0;
@@ -44,13 +44,13 @@ impl Flat {
     /// Crossings above a `screen` across the z axis do not count.
     #[must_use]
     pub fn crossings(&self, packet: &RayPacket, screen: Option<&Self>) -> Crossings {
-        // For a direction w that is not made unit, n·w is linear. Along the packet it lies between its
-        // values at the ends. If both have one sign and exceed a share of all lengths in them, every
-        // ray rises or every ray falls, at no small angle, and rounded values decide.
+        // For a direction w that is not made unit, n·w is linear. Along the packet it lies between
+        // its values at the ends. If both have one sign and exceed a share of all lengths in them,
+        // every ray rises or every ray falls, at no small angle, and rounded values decide.
         //
         // The distance to the plane, as a multiple of that to the screen, is a quotient of two such
-        // values. Neither changes its sign, so the quotient is monotone and lies between its values at
-        // the ends.
+        // values. Neither changes its sign, so the quotient is monotone and lies between its values
+        // at the ends.
         let height = -self.normal.dot(packet.ray.origin.from(self.point));
         let is_clear = height.abs() > CLEARLY * (self.doubt + packet.ray.doubt);
         let slopes = packet.ends.map(|end| self.normal.dot(end));

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul};
 
-/// Linear intensity or reflectivity of red, green and blue; 1 is full, and not a limit.
+/// Linear red, green and blue intensity or reflectivity; 1 is full, not a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rgb {
     /// Red.

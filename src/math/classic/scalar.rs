@@ -6,7 +6,7 @@ use num_traits::Float;
 
 /// A floating-point number: `f64` or `f32`.
 pub trait Scalar: Float + Debug + Send + Sync + 'static {
-    /// The least distance of a hit along a ray, and of an occluder before a light, in world units.
+    /// The least distance of a hit, and of an occluder before a light; world units.
     ///
     /// A ray that leaves a surface hits it again at a distance that is mere rounding. The classic
     /// algorithm ignores nearer hits. If the offset is too small, surfaces shadow and mirror
@@ -17,7 +17,7 @@ pub trait Scalar: Float + Debug + Send + Sync + 'static {
     // 10⁻⁴ in f32, where programs use 10⁻³ or 10⁻⁴.
     const OFFSET: Self;
 
-    /// The determinant of ray and triangle below which the ray counts as parallel; an area.
+    /// The determinant, an area, below which a ray is parallel to a triangle.
     ///
     /// If it is too small, the quotients are noise. If it is too large, small triangles vanish.
     /// Published programs use from 10⁻⁶ (Möller and Trumbore 1997) down to the machine epsilon, the
