@@ -3,7 +3,10 @@
 use glam::DVec3;
 
 use crate::math::Decisions;
-use crate::math::error_bounds::{UNDERFLOW, UNIT};
+use crate::math::error_bounds::{
+    BALL_ACROSS, BALL_ALONG, DISCRIMINANT, ELLIPSOID_ACROSS, ELLIPSOID_ALONG, HALF_CHORD, NEAREST,
+    SQUARES, UNDERFLOW,
+};
 use crate::math::exact::{Distance, Exact, Sign};
 
 /// A line and a ball around the origin, seen from the ray's origin.
@@ -47,15 +50,15 @@ impl Roundings {
     /// Of a ball as it is: `c` is rounded twice and `d` is exact; but `a` is said to be 1, so that `f` is off
     /// by 8 u for the length of `d`, where others have 4 for `a` and the division.
     pub(super) const OF_BALL: Self = Self {
-        along: 15.0 * UNIT,
-        across: 5.0 * UNIT,
+        along: BALL_ALONG,
+        across: BALL_ACROSS,
     };
 
     /// Of an ellipsoid in the space where it is a ball: both are multiplied by the reciprocals of the axes,
     /// one more. That these are rounded, too, is as if the axes were: the same for `c` and `d`.
     pub(super) const OF_ELLIPSOID: Self = Self {
-        along: 15.0 * UNIT,
-        across: 7.0 * UNIT,
+        along: ELLIPSOID_ALONG,
+        across: ELLIPSOID_ACROSS,
     };
 }
 
@@ -84,15 +87,13 @@ impl Chord {
         radius: f64,
         roundings: Roundings,
     ) -> Option<Self> {
-        // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 21 roundings.
-        const OF_DISCRIMINANT: f64 = 64.0 * UNIT;
         let along = origin.dot(dir);
         // Most lines pass by so clearly that even the cancelling form says so. No term of it is
         // larger than `a (size² + r²)`.
         let discriminant =
             along * along - speed_squared * (origin.length_squared() - radius * radius);
         let largest = speed_squared * (size * size + radius * radius);
-        if discriminant < -OF_DISCRIMINANT * largest {
+        if discriminant < -DISCRIMINANT * largest {
             return None;
         }
         // With a direction longer than 1, `along` is larger as well, and so is what it is off by.
@@ -214,7 +215,7 @@ impl Chord {
         } else {
             off.sqrt()
         };
-        (self.doubt + of_half + 8.0 * UNIT * half) / speed
+        (self.doubt + of_half + HALF_CHORD * half) / speed
     }
 }
 
@@ -266,7 +267,7 @@ pub(super) fn side_of_ball(
 fn of_squares(squares: f64, doubt: f64, radius: f64) -> f64 {
     // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r. The sum of squares has three roundings, and the
     // difference one. And a ball's r² has one, while an ellipsoid's axes may be off by u, and so its square by 2 u.
-    doubt * (squares / radius + doubt) + 5.0 * UNIT * squares
+    doubt * (squares / radius + doubt) + SQUARES * squares
 }
 
 /// A distance that is known to be above zero.
@@ -278,12 +279,9 @@ fn above_zero(t: f64) -> f64 {
 /// `parts` leads there from the centre, and `exact` is its scalar product with the line's direction.
 #[inline]
 pub(super) fn is_beyond(parts: [DVec3; 2], dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
-    // Two roundings in the way and, in the space of an ellipsoid, two in both; a product and two
-    // sums.
-    const ROUNDINGS: f64 = 9.0 * UNIT;
     let [near, far] = parts;
     let along = (near + far).dot(dir);
-    if along.abs() > ROUNDINGS * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
+    if along.abs() > NEAREST * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
         return along > 0.0;
     }
     let along = exact();

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::error_bounds::{APART, UNIT};
+use super::error_bounds::{APART, POSITION};
 use super::{Bounds, Point};
 
 /// A bounding sphere; its contents may lie outside by a few roundings.
@@ -64,7 +64,7 @@ impl Ball {
 #[must_use]
 pub fn is_clear(a: DVec3, b: DVec3, distance: f64) -> bool {
     let size = Point::exact(a).size() + Point::exact(b).size();
-    64.0 * UNIT * size < APART / 16.0 * distance
+    POSITION * size < APART / 16.0 * distance
 }
 
 #[cfg(test)]

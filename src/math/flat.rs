@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::error_bounds::{HEIGHT, UNDERFLOW, UNIT};
+use super::error_bounds::{HEIGHT, OWN_NORMAL, UNDERFLOW};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
 use super::{Crossing, Decisions, Point, Ray, Side, Span};
 use crate::language::ValueError;
@@ -65,7 +65,7 @@ impl Flat {
         let turned = self.normal.dot(to.decisive) < 0.0;
         let decisive = if turned { -to.decisive } else { to.decisive };
         // Within one rounding of each component, the surface keeps its own normal.
-        let same = (self.normal - decisive).abs().max_element() <= 2.0 * UNIT;
+        let same = (self.normal - decisive).abs().max_element() <= OWN_NORMAL;
         let normal = if same { self.normal } else { decisive };
         let way = Point::exact(self.point).exactly_from(to.base);
         // The exact height was rounded once.

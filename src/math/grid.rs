@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::Decisions;
-use super::error_bounds::UNIT;
+use super::error_bounds::{CELL, GRID_LINE};
 
 /// Lines at all whole multiples of a pitch.
 ///
@@ -69,7 +69,7 @@ impl Grid {
         let into = estimate - below;
         // One rounding each of the product, the density, the pitch and the line, and that of the
         // scaled error bound.
-        let bound = (error * self.density) * (1.0 + 8.0 * UNIT) + 8.0 * UNIT * estimate.abs();
+        let bound = (error * self.density) * (1.0 + CELL) + CELL * estimate.abs();
         (into > bound && 1.0 - into > bound).then_some(below)
     }
 
@@ -82,7 +82,7 @@ impl Grid {
     pub fn settled(&self, place: f64, error: f64, exact: impl FnOnce() -> RBig) -> f64 {
         let estimate = place / self.pitch;
         let into = (estimate - estimate.round()).abs();
-        if into * self.pitch > error + 4.0 * UNIT * place.abs() {
+        if into * self.pitch > error + GRID_LINE * place.abs() {
             return place;
         }
         self.settled_exactly(&exact())

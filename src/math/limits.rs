@@ -1,6 +1,6 @@
 //! Limits of a ray: a span of distances, and the plane that ends it.
 
-use super::error_bounds::{UNDERFLOW, UNIT};
+use super::error_bounds::{SCREEN, UNDERFLOW};
 use super::exact::Sign;
 use super::{Flat, Ray, Side, Span};
 
@@ -51,7 +51,7 @@ impl<'a> Limits<'a> {
         // direction, has none; the reciprocal and the product have one each. In units of the
         // rounded values that is 1 and 3.
         let edge = -(between + ray.origin.offset.z) * reciprocal;
-        let edge_error = (4.0 * UNIT) * ((between * reciprocal).abs() + edge.abs()) + UNDERFLOW;
+        let edge_error = SCREEN * ((between * reciprocal).abs() + edge.abs()) + UNDERFLOW;
         let span = if slope < 0.0 {
             Span::AHEAD.since(edge - edge_error)
         } else {

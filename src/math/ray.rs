@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::error_bounds::{FOOT, HEIGHT, SLIDE, UNIT};
+use super::error_bounds::{FOOT, HEIGHT, SIZE, SLIDE};
 use super::vector::reflected;
 use super::{Flat, Point};
 
@@ -129,8 +129,8 @@ impl<'a> Ray<'a> {
     /// A bound of the sum of all lengths that the origin is made of.
     #[must_use]
     pub(crate) fn size(&self) -> f64 {
-        const SIZE: f64 = (1.0 + 4.0 * UNIT) / HEIGHT;
-        self.doubt * SIZE
+        const PER_ERROR: f64 = (1.0 + SIZE) / HEIGHT;
+        self.doubt * PER_ERROR
     }
 
     /// The error bound of the origin.

@@ -1,6 +1,6 @@
 //! How a ray goes on where it meets a surface, and how right it is then.
 
-use crate::math::error_bounds::UNIT;
+use crate::math::error_bounds::{INCIDENCE, REFLECTION, refraction};
 
 /// How a ray goes on where it meets a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,10 +34,7 @@ impl Scattering {
 /// By how much the direction may be wrong behind a mirror whose normal is off by `tilt`: by twice
 /// that more than before it.
 fn mirrored(direction: f64, tilt: f64) -> f64 {
-    // Twice the product with the normal is off by 6 u, and taking it off and making the rest
-    // unit add 3 and 5.
-    const MIRRORING: f64 = 16.0 * UNIT;
-    direction + 2.0 * tilt + MIRRORING
+    direction + 2.0 * tilt + REFLECTION
 }
 
 /// How far beside its way a ray may be that was bent, and by how much its direction may be wrong.
@@ -52,12 +49,9 @@ fn mirrored(direction: f64, tilt: f64) -> f64 {
 /// Towards the angle of total reflection `cos β` goes to zero, and these grow without bound. So they
 /// are taken for the largest `α` that may be; if nothing passes at that one, all is unknown.
 ///
-/// Rounding puts `cos α` off by 5 u, so `μ² sin² α` by `(10 μ² + 5) u`, the root `cos β` by half of that and u,
-/// divided by itself, and the unit direction by `(10 μ + 12) u` more.
-///
 /// What slides along the surface by `1 / cos α` passes the ray behind at `cos β / cos α`.
 fn bent([beside, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f64; 2] {
-    let angle = direction + tilt + 16.0 * UNIT;
+    let angle = direction + tilt + INCIDENCE;
     let sine = (1.0 - cosine * cosine).sqrt();
     let most = ratio * (sine + angle);
     if most.is_nan() || most >= 1.0 {
@@ -71,7 +65,7 @@ fn bent([beside, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f
     } else {
         1.0 - ratio * (cosine - angle) / cosine_at_least
     };
-    let rounding = ((5.0 * ratio * ratio + 3.0) / cosine_at_most + 10.0 * ratio + 12.0) * UNIT;
+    let rounding = refraction(ratio, cosine_at_most);
     let direction = direction * ratio.max(in_plane) + tilt * of_tilt + rounding;
     let widening = (cosine_at_least / cosine).max(1.0);
     [times(beside, widening), direction]
