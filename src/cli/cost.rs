@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
-use super::dials::Dials;
 use super::input::ReadError;
 use super::messages::{Json, Messages, problems_json};
 use super::numbers::whole;
 use super::output::place;
+use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{Status, input, progress};
 use crate::film::{check_place, save};
@@ -62,7 +62,7 @@ pub(super) struct Options {
     report: Option<PathBuf>,
     // The last, since the help has what comes after them under their heading.
     #[command(flatten)]
-    dials: Dials,
+    settings: SettingOptions,
 }
 
 impl Options {
@@ -120,7 +120,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
 
 /// What is printed, and how it ends.
 fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), ReadError> {
-    let reader = options.dials.added_to(options.input.options());
+    let reader = options.settings.added_to(options.input.options());
     let mut reading = input::read(&options.input.scene, &reader, messages)?;
     check_outputs(options, &reading.scene, messages)?;
     let pool = options.threads.pool();

@@ -8,11 +8,11 @@ use rayon::prelude::*;
 
 use super::asked::Asked;
 use super::certificate::{self, Report};
-use super::dials::Dials;
 use super::finished::Finished;
 use super::input::ReadError;
 use super::messages::{Json, Messages};
 use super::output::{Outputs, plan};
+use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{FormatWord, Status, input, progress};
 use crate::film::{EncodedImage, Format, Region, check_place};
@@ -59,7 +59,7 @@ pub(super) struct Options {
     json: Json,
     // The last, since the help has what comes after them under their heading.
     #[command(flatten)]
-    dials: Dials,
+    settings: SettingOptions,
 }
 
 /// A part of the picture from `10,20,30,40`.
@@ -102,7 +102,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let asked = Asked {
         pattern: options.output.as_deref(),
         format: picture_formats.first().copied(),
-        depth: options.dials.depth(),
+        depth: options.settings.depth(),
     };
     let outputs = match plan(&options.scenes, asked) {
         Ok(outputs) => outputs,
@@ -118,7 +118,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
             return Status::Io;
         }
     };
-    let reader = options.dials.added_to(read::Options {
+    let reader = options.settings.added_to(read::Options {
         language: languages.first().copied(),
         ..read::Options::default()
     });

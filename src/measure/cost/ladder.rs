@@ -1,6 +1,6 @@
 //! Which settings are tried.
 
-use super::Dial;
+use super::{DIALS, Dial};
 use crate::camera::Pattern;
 use crate::film::{BitDepth, Rounding};
 use crate::language::{Value, ValueError};
@@ -52,7 +52,7 @@ impl Variation {
         });
         let settings = settings.collect::<Result<_, _>>()?;
         if Dial::of(word).is_none() {
-            let dials: Vec<_> = Dial::all().map(|dial| dial.word).collect();
+            let dials: Vec<_> = DIALS.iter().map(|dial| dial.word).collect();
             return Err(format!(
                 "no {word} is more accurate than another; expected one of {} before =",
                 dials.join(", ")
@@ -68,8 +68,8 @@ impl Ladder {
     #[must_use]
     pub fn of(base: RenderSettings, on: &[Effect]) -> Self {
         let mut ladder = Self::starting_at(base);
-        for dial in Dial::all().filter(|dial| dial.matters(on)) {
-            let beside = dial.beside.iter();
+        for dial in DIALS.into_iter().filter(|dial| dial.matters(on)) {
+            let beside = dial.together_with.iter();
             let beside = beside.filter_map(|(word, text)| Setting::new(word, text).ok());
             let beside: Vec<_> = beside.collect();
             for step in dial.steps {

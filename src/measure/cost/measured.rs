@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::reference::written;
-use super::{Blame, Dial, Rung, Truth, draw, pictures};
+use super::{Blame, DIALS, Rung, Truth, draw, pictures};
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::measure::change::share_within;
@@ -203,10 +203,10 @@ impl Subject {
     fn attribute(&mut self, film: &Film, deviation: Deviation, truth: &Truth) {
         let as_it_is = self.rung.settings.is_empty();
         let all = self.rung.picture.describe();
-        for dial in Dial::all() {
+        for dial in DIALS {
             let is_turned = self.rung.turns(dial);
             // The scene as it is, is a step of each dial that is turned alone.
-            let is_step = as_it_is && dial.beside.is_empty() && !dial.in_writing;
+            let is_step = as_it_is && dial.together_with.is_empty() && !dial.in_writing;
             let (true, Some(value)) = (is_turned || is_step, all.property(dial.word)) else {
                 continue;
             };
