@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValuesParser, StringValueParser, TypedValueParser, ValueParser};
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
 
+use super::numbers::separated;
 use crate::film::BitDepth;
 use crate::language::{Range, Takes};
 use crate::read;
@@ -84,7 +85,7 @@ fn option(kind: &'static SettingKind) -> Arg {
     let about = first.to_uppercase() + rest;
     let expected = match kind.takes {
         Takes::Word(_) => String::new(),
-        _ => format!(" [{}]", kind.expected()),
+        _ => format!(" [{}]", kind.expected().trim_start_matches("a ")),
     };
     let short = about.split([':', ';']).next().unwrap_or_default();
     Arg::new(kind.word)
@@ -98,11 +99,7 @@ fn option(kind: &'static SettingKind) -> Arg {
 
 /// A width and a height from `800x600`.
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once(['x', 'X', '×']);
-    let sides = sides.and_then(|(width, height)| {
-        Some([width.trim().parse().ok()?, height.trim().parse().ok()?])
-    });
-    let sides = sides.ok_or_else(|| {
+    let sides = separated(text, &['x', 'X', '×']).ok_or_else(|| {
         let longest = RenderSettings::LONGEST_SIDE;
         format!("expected width and height from 1 to {longest}, such as 800x600")
     })?;

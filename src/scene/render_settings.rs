@@ -154,7 +154,7 @@ impl RenderSettings {
     /// The same settings but for one.
     #[must_use]
     pub fn with(mut self, setting: &Setting) -> Self {
-        (setting.kind.set)(&mut self, &setting.value);
+        (setting.kind().set)(&mut self, setting.value());
         self
     }
 

@@ -68,17 +68,12 @@ impl SettingKind {
 }
 
 /// A setting and its value: a command-line option, or a step of `cost`.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Setting {
-    pub(super) kind: &'static SettingKind,
-    pub(super) value: Value,
+    /// Its row in the table.
+    row: usize,
+    value: Value,
     text: String,
-}
-
-impl PartialEq for Setting {
-    fn eq(&self, other: &Self) -> bool {
-        self.word() == other.word() && self.value == other.value && self.text == other.text
-    }
 }
 
 impl Setting {
@@ -87,13 +82,14 @@ impl Setting {
     /// # Errors
     /// The words or values that were expected, if the word is unknown or the value not allowed.
     pub fn new(word: &str, text: &str) -> Result<Self, String> {
-        let known = SETTINGS.iter().find(|kind| kind.word == word);
-        let kind = known.ok_or_else(|| {
+        let row = SETTINGS.iter().position(|kind| kind.word == word);
+        let row = row.ok_or_else(|| {
             let words: Vec<_> = SETTINGS.iter().map(|kind| kind.word).collect();
             let found = did_you_mean(word, words.iter().copied());
             let hint = found.map_or(String::new(), |word| format!("; did you mean {word:?}?"));
             format!("expected one of {}{hint}", words.join(", "))
         })?;
+        let kind = &SETTINGS[row];
         let value = match kind.takes {
             Takes::Number(range) => {
                 let number = number(text).filter(|number| range.contains(*number));
@@ -104,13 +100,18 @@ impl Setting {
         };
         let value = value.ok_or_else(|| format!("expected {}", kind.expected()))?;
         let text = text.split_whitespace().collect();
-        Ok(Self { kind, value, text })
+        Ok(Self { row, value, text })
+    }
+
+    /// The setting without its value.
+    pub(super) fn kind(&self) -> &'static SettingKind {
+        &SETTINGS[self.row]
     }
 
     /// The setting's word.
     #[must_use]
     pub fn word(&self) -> &'static str {
-        self.kind.word
+        self.kind().word
     }
 
     /// The setting's value.

@@ -125,8 +125,9 @@ pub const SETTINGS: &[SettingKind] = &[
         word: "texture-filter",
         takes: Takes::Word(&Filter::WORDS),
         default: Default::Word(DEFAULT.texture_filter.word()),
-        about: "colour that a pixel takes from a texture: `nearest` is the texel in its middle, \
-                `exact` the mean over the area that it covers, the others lie between",
+        about: "colour that a pixel takes from a texture: the texel in its middle (`nearest`), an \
+                interpolation of four texels (`bilinear`), or a mean over the area that it covers, \
+                approximate (`mipmap`, `anisotropic`) or exact (`exact`)",
         get: |it| it.texture_filter.word().into(),
         set: |it, value| {
             it.texture_filter = Filter::from_word(value.text()).unwrap_or(it.texture_filter);
