@@ -2,22 +2,22 @@
 
 use std::process::ExitCode;
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Outcome of a command, from the best to the worst.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Status {
-    /// Done.
+    /// Success.
     Done,
-    /// The answer is "no": `check` found errors, or nothing that `cost` tried is good enough.
+    /// A negative answer: `check` found errors, or no setting of `cost` is good enough.
     No,
-    /// The command line makes no sense.
+    /// A command line that makes no sense.
     Usage,
-    /// A scene cannot be read as a scene.
+    /// A text that is not a scene.
     BadInput,
-    /// A file is missing or cannot be read or written.
+    /// A file that is missing, or cannot be read or written.
     Io,
-    /// A pixel is infinite or not a number; the picture is written all the same.
+    /// A pixel that is infinite or not a number; the picture is written all the same.
     NonFinite,
-    /// The program has a bug.
+    /// A bug in the program.
     Bug,
 }
 
@@ -35,21 +35,9 @@ impl Status {
         }
     }
 
-    /// The status of a batch: that of its worst part.
+    /// The worse of two: the status of a batch is that of its worst part.
     pub(super) fn worst(self, other: Self) -> Self {
-        const FROM_WORST: [Status; 7] = [
-            Status::Bug,
-            Status::NonFinite,
-            Status::Io,
-            Status::BadInput,
-            Status::Usage,
-            Status::No,
-            Status::Done,
-        ];
-        let found = FROM_WORST
-            .into_iter()
-            .find(|status| [self, other].contains(status));
-        found.unwrap_or(self)
+        self.max(other)
     }
 }
 

@@ -3,11 +3,13 @@
 mod lighting;
 mod render_settings;
 mod setting;
+mod settings;
 mod write;
 
 pub use lighting::{Falloff, Lighting};
 pub use render_settings::RenderSettings;
-pub use setting::Setting;
+pub use setting::{Setting, SettingKind};
+pub use settings::SETTINGS;
 
 use std::sync::Arc;
 

@@ -57,7 +57,7 @@ pub(super) fn all(steps: &[Measurement], noise: f64) -> Vec<Law> {
         let mut varied = steps.iter().filter(|step| step.setting.is_some());
         varied.any(|step| step.own(dial.word).is_some())
     };
-    let varied = DIALS.iter().filter(is_varied);
+    let varied = DIALS.into_iter().filter(is_varied);
     varied.filter_map(|dial| law(dial, steps, noise)).collect()
 }
 

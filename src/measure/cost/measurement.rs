@@ -70,10 +70,11 @@ impl Measurement {
     /// Adds the own error of each setting of which this is a step, and its places.
     fn attribute(&mut self, step: &Step, film: &Film, truth: &Truth) {
         let properties = step.settings.describe();
-        for dial in Dial::all() {
+        for dial in DIALS {
             let is_varied = step.varies(dial.word);
             // The scene as it is counts as a step of each setting that is varied alone.
-            let is_base = step.changes.is_empty() && dial.beside.is_empty() && !dial.in_writing;
+            let is_base =
+                step.changes.is_empty() && dial.together_with.is_empty() && !dial.in_writing;
             let value = properties
                 .property(dial.word)
                 .filter(|_| is_varied || is_base);

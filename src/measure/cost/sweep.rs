@@ -1,6 +1,6 @@
 //! Settings that are tried.
 
-use super::dial::Dial;
+use super::dial::{DIALS, Dial};
 use crate::camera::Pattern;
 use crate::film::{BitDepth, Rounding};
 use crate::language::{Value, ValueError};
@@ -52,7 +52,7 @@ impl Variation {
         });
         let settings = settings.collect::<Result<_, _>>()?;
         if Dial::of(word).is_none() {
-            let known: Vec<_> = Dial::all().map(|dial| dial.word).collect();
+            let known: Vec<_> = DIALS.iter().map(|dial| dial.word).collect();
             return Err(format!(
                 "{word} does not trade accuracy for time; expected one of {} before =",
                 known.join(", ")
@@ -67,9 +67,13 @@ impl Sweep {
     #[must_use]
     pub fn of(base: RenderSettings, on: &[Effect]) -> Self {
         let mut sweep = Self::starting_at(base);
-        for dial in Dial::all().filter(|dial| dial.matters(on)) {
+        for dial in DIALS.into_iter().filter(|dial| dial.matters(on)) {
             for value in dial.steps {
-                let all = dial.beside.iter().copied().chain([(dial.word, *value)]);
+                let all = dial
+                    .together_with
+                    .iter()
+                    .copied()
+                    .chain([(dial.word, *value)]);
                 let changes = all.filter_map(|(word, text)| Setting::new(word, text).ok());
                 // A value that the scene's other settings forbid is left out.
                 let _ = sweep.add(base, Some(dial.word), changes.collect());
