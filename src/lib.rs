@@ -50,6 +50,7 @@ pub mod cli;
 #[doc(hidden)]
 pub mod doctest;
 pub mod film;
+pub mod image_file;
 pub mod language;
 pub mod light;
 pub mod material;

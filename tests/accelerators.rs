@@ -24,7 +24,7 @@ const SCENES: u64 = 120;
 
 fn scene(text: &str) -> Scene {
     let read = read_bytes("random", text.into(), "".into(), &Options::default());
-    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.problems));
+    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.diagnostics));
     reading.scene
 }
 

@@ -5,15 +5,15 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Language, Options, read_file};
 
 /// What is said about a scene.
 fn words(path: &Path) -> String {
     match read_file(path, &Options::default()).expect("a file") {
-        Ok(reading) => render_problems(&reading.warnings, &reading.scene.sources, false, 100),
+        Ok(reading) => render_diagnostics(&reading.warnings, &reading.scene.sources, false, 100),
         Err(scene_error) => {
-            render_problems(&scene_error.problems, &scene_error.sources, false, 100)
+            render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100)
         }
     }
 }

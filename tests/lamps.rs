@@ -18,7 +18,7 @@ use heliodon::render::{Counts, observed};
 fn picture(text: &str, scope: Scope) -> (Film, Counts) {
     let text = format!("lighting {{ view-falloff \"none\" }}\n{text}");
     let reading = read_bytes("lamps", text.into_bytes(), "".into(), &Options::default());
-    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.diagnostics));
     observed(&reading.scene, scope, &|_| ()).expect("a possible picture")
 }
 

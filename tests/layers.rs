@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// `math` may refuse in the words of `language`.
 const FLOORS: &[&[&str]] = &[
     &["language"],
-    &["math"],
+    &["math", "image_file"],
     &["texture", "film", "camera"],
     &["material"],
     &["surface"],

@@ -162,10 +162,10 @@ fn entries<'a>(
                 // A sheet has the number of the first surface on it.
                 && support.is_some_and(|CarrierId(first)| first as usize == index),
             slip: surface.slip(),
-            sends_on: surface.common().material.sends_on(),
+            sends_on: surface.common().material.spawns_rays(),
             plain: surface.plain_ambient().filter(|_| {
                 let is_endless = surface.flat().is_some() && surface.outline().is_empty();
-                is_endless && !surface.common().material.sends_on()
+                is_endless && !surface.common().material.spawns_rays()
             }),
             index,
         })

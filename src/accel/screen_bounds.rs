@@ -31,10 +31,10 @@ impl<'a> ScreenBounds<'a> {
         let window = |entry: &Entry<'a>| {
             let outline = entry.surface.outline();
             if !outline.is_empty() {
-                return camera.window(outline, overhang(entry.surface));
+                return camera.raster_bounds(outline, overhang(entry.surface));
             }
             match entry.surface.bounds() {
-                Some(bounds) => camera.window(bounds.corners(), 0.0),
+                Some(bounds) => camera.raster_bounds(bounds.corners(), 0.0),
                 None => Some(RasterRect::EVERYWHERE),
             }
         };
@@ -52,7 +52,7 @@ impl<'a> ScreenBounds<'a> {
     pub fn seen(&self, size: [u32; 2], count: usize) -> Vec<bool> {
         let mut seen = vec![false; count];
         for (window, entry) in &self.seen {
-            seen[entry.index] = window.meets(size);
+            seen[entry.index] = window.overlaps_picture(size);
         }
         seen
     }
@@ -63,10 +63,10 @@ impl<'a> ScreenBounds<'a> {
         let mut here = self
             .seen
             .iter()
-            .filter(|(window, _)| window.meets_stretch(stretch));
+            .filter(|(window, _)| window.overlaps_span(stretch));
         match (here.next(), here.next()) {
             (None, _) => Ahead::Nothing,
-            (Some((window, entry)), None) if window.holds_stretch(stretch) => Ahead::One(entry),
+            (Some((window, entry)), None) if window.contains_span(stretch) => Ahead::One(entry),
             _ => Ahead::Several,
         }
     }

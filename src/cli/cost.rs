@@ -12,7 +12,7 @@ use super::numbers::whole;
 use super::output::place;
 use super::threads::Threads;
 use super::{Status, input, progress};
-use crate::film::{check_place, save};
+use crate::film::{check_writable, save};
 use crate::language::ValueError;
 use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
 use crate::read::Reading;
@@ -221,7 +221,7 @@ fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Resul
                 Status::Usage,
                 format!("{} would replace what is compared with", output.display()),
             )
-        } else if let Err(error) = check_place(output) {
+        } else if let Err(error) = check_writable(output) {
             let error = format!("cannot write {}: {error}", output.display());
             (Status::Io, error)
         } else {

@@ -79,7 +79,7 @@ pub(super) fn read(
             Ok(reading)
         }
         Ok(Err(scene_error)) => {
-            messages.problems(&scene_error.problems, &scene_error.sources);
+            messages.problems(&scene_error.diagnostics, &scene_error.sources);
             Err(ReadError {
                 status: Status::BadInput,
                 scene_error: Some(scene_error),
@@ -140,7 +140,7 @@ impl ReadError {
     /// The failure as one line of JSON.
     pub(super) fn json(&self, scene: &Path) -> String {
         let scene_error = self.scene_error.as_ref();
-        let problems = scene_error.map(|no| problems_json(&no.problems, &no.sources));
+        let problems = scene_error.map(|no| problems_json(&no.diagnostics, &no.sources));
         let line = serde_json::json!({
             "scene": title(scene),
             "exit": self.status.code(),

@@ -6,7 +6,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::{Color, Global, Status};
-use crate::language::{Problem, Severity, Sources, render_problems};
+use crate::language::{Diagnostic, Severity, Sources, render_diagnostics};
 
 /// Whether results are for programs.
 #[derive(Debug, Clone, Copy, Args)]
@@ -69,13 +69,13 @@ impl Messages {
     }
 
     /// Shows what is wrong with a scene.
-    pub(super) fn problems(&self, problems: &[Problem], sources: &Sources) {
+    pub(super) fn problems(&self, problems: &[Diagnostic], sources: &Sources) {
         let shown: Vec<_> = problems
             .iter()
             .filter(|problem| !self.quiet || problem.severity == Severity::Error)
             .cloned()
             .collect();
-        let text = render_problems(&shown, sources, self.color, self.width);
+        let text = render_diagnostics(&shown, sources, self.color, self.width);
         let _ = io::stderr().lock().write_all(text.as_bytes());
     }
 
@@ -106,8 +106,8 @@ impl Messages {
 }
 
 /// Problems as JSON values.
-pub(super) fn problems_json(problems: &[Problem], sources: &Sources) -> Vec<Value> {
-    let as_json = |problem: &Problem| {
+pub(super) fn problems_json(problems: &[Diagnostic], sources: &Sources) -> Vec<Value> {
+    let as_json = |problem: &Diagnostic| {
         let place = problem.place.as_ref().map(|(at, label)| {
             let source = sources.get(at.source);
             let (line, column) = source.line_and_column(at.start);

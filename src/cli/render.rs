@@ -15,7 +15,7 @@ use super::messages::{Json, Messages};
 use super::output::{Outputs, plan};
 use super::threads::Threads;
 use super::{FormatWord, Status, input, progress};
-use crate::film::{EncodedImage, Format, Region, check_place};
+use crate::film::{EncodedImage, Format, Region, check_writable};
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::Scope;
@@ -185,7 +185,7 @@ impl Batch<'_> {
         };
         // What cannot be written need not be drawn.
         if let Some(path) = &output.path {
-            check_place(path).map_err(cannot_write)?;
+            check_writable(path).map_err(cannot_write)?;
         }
         let drawn = self.draw(&read, part, output.format, &title);
         let (mut print, counts, certificate) = drawn

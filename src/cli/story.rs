@@ -140,7 +140,7 @@ fn arrival(out: &mut String, light: &LightStep, title: &str, indent: usize) -> s
 /// What the picture's file says of a colour.
 fn kept(color: [f64; 3], scene: &Scene) -> String {
     let picture = &scene.settings;
-    let kept = color.map(|channel| picture.depth.kept(channel, picture.encoding()));
+    let kept = color.map(|channel| picture.depth.stored(channel, picture.encoding()));
     kept.map(|number| number.to_string()).join(" ")
 }
 

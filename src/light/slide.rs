@@ -1,26 +1,25 @@
-//! The slide of a projector.
+//! Slides of projectors.
 
 use glam::DVec3;
 
 use super::{ATTRIBUTES, Light};
 use crate::language::{Naming, Node, Schema};
-use crate::math::Rectangle;
-use crate::math::{Point, Ray, Rgb, Span};
+use crate::math::{Point, Ray, Rectangle, Rgb, Span};
 use crate::surface::{FinitePlane, TexturePlane};
 use crate::texture::TextureMap;
 
-/// A slide in front of a projector's lamp: it colours the light and is not seen itself.
+/// A slide in front of a projector. It colours the light and is not visible itself.
 #[derive(Debug, Clone)]
 pub struct Slide {
-    /// Its shape.
+    /// Its rectangle.
     pub rectangle: Rectangle,
     /// Its image.
     pub image: TextureMap,
-    /// Whether the scene gives the size of its texels.
+    /// True if the scene gives the size of its texels.
     pub texel_given: bool,
     /// The normal as the scene gives it.
     pub given_normal: DVec3,
-    /// The direction of x as the scene gives it.
+    /// The x direction as the scene gives it.
     pub given_xdir: DVec3,
 }
 
@@ -28,7 +27,7 @@ impl Slide {
     /// The `projector` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "projector",
-        about: "A light that shines through a slide; outside of its beam it lights nothing.",
+        about: "A light that shines through a slide, and nowhere else.",
         attributes: &[
             ATTRIBUTES,
             FinitePlane::ATTRIBUTES,
@@ -38,14 +37,14 @@ impl Slide {
         ..Light::SCHEMA
     };
 
-    /// The colour of the slide where light from the lamp crosses it; `None` if it does not.
+    /// The colour of the slide at a ray from the light; `None` for a miss.
     #[must_use]
-    pub fn color(&self, lamp: Point, direction: DVec3) -> Option<Rgb> {
-        let offset =
-            self.rectangle
-                .hits(&Ray::new(lamp, direction), Span::AHEAD, |_, _, offset| {
-                    offset
-                })?;
+    pub fn color(&self, location: Point, direction: DVec3) -> Option<Rgb> {
+        let offset = self.rectangle.hits(
+            &Ray::new(location, direction),
+            Span::AHEAD,
+            |_, _, offset| offset,
+        )?;
         Some(self.image.at(offset))
     }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::accel::{LampView, SurfaceList};
 use crate::camera::{Camera, View};
-use crate::language::{Location, Node, Problem, Value};
+use crate::language::{Diagnostic, Location, Node, Value};
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
@@ -18,7 +18,7 @@ const XDIR_TOLERANCE: f64 = 0.1;
 
 /// Warnings about geometry that is allowed but probably not meant.
 #[must_use]
-pub fn check(scene: &Scene) -> Vec<Problem> {
+pub fn check(scene: &Scene) -> Vec<Diagnostic> {
     let surfaces = || scene.surfaces.iter().map(AsRef::as_ref);
     let nodes = surfaces().map(|surface| {
         let common = surface.common();
@@ -56,7 +56,7 @@ pub(super) fn title(node: &Node, name: Option<&str>) -> String {
     }
 }
 
-pub(super) fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
+pub(super) fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Diagnostic> {
     let common = surface.common();
     let title = title(&surface.describe(), common.name.as_deref());
     let at = common.location.unwrap_or(Location {
@@ -64,11 +64,11 @@ pub(super) fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<
         start: 0,
         length: 0,
     });
-    Some(Problem::warning(at, format!("{title} {what}"), label))
+    Some(Diagnostic::warning(at, format!("{title} {what}"), label))
 }
 
 /// An `xdir` that does not lie in the plane; it is projected, and the user should know.
-fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Problem> {
+fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Diagnostic> {
     let known = |word| node.entry(word).is_some();
     if !(known("xdir") && known("normal")) {
         return None;
@@ -81,12 +81,12 @@ fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Problem> {
     }
     let title = title(node, node.name.as_deref());
     let message = format!("{title} has an xdir that points {angle:.1}° out of its plane");
-    let problem = Problem::warning(at?, message, "projected into the plane");
+    let problem = Diagnostic::warning(at?, message, "projected into the plane");
     Some(problem.help("give an xdir at right angles to the normal, if this is not meant"))
 }
 
 /// Lights that have every surface's back, so that they light nothing.
-fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
+fn useless_lights(scene: &Scene) -> impl Iterator<Item = Diagnostic> {
     let lights = scene.lights.iter().filter(|light| {
         let location = Point::exact(light.location);
         !scene.surfaces.is_empty()
@@ -100,12 +100,12 @@ fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
         let message = format!("{title} lies behind every surface");
         let help = "surfaces are lit on the side that their normal points to; \
                     turn a normal around or move the light";
-        Some(Problem::warning(light.place?, message, "lights nothing").help(help))
+        Some(Diagnostic::warning(light.place?, message, "lights nothing").help(help))
     })
 }
 
 /// Lamps that shine on no surface's front.
-fn useless_lamps(scene: &Scene) -> Vec<Problem> {
+fn useless_lamps(scene: &Scene) -> Vec<Diagnostic> {
     let surfaces = SurfaceList::new(&scene.surfaces);
     let lit = || {
         let entries = surfaces.entries().iter();
@@ -123,7 +123,7 @@ fn useless_lamps(scene: &Scene) -> Vec<Problem> {
     problems.collect()
 }
 
-fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
+fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Diagnostic> {
     let closed = surface.flat().is_none();
     if !closed || surface.side(&Point::exact(camera.viewpoint())) != Side::Back {
         return None;
@@ -165,7 +165,7 @@ fn can_be_met(flat: &Flat, camera: &Camera, view: &View) -> bool {
     height != 0.0 && steepest > 0.0 && behind_screen
 }
 
-fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Problem> {
+fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Diagnostic> {
     let what = "is never in front of the camera";
     match view {
         View::Screen { at, .. } => {

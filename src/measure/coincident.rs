@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::check::{title, warning};
 use crate::accel::{Overlaps, supports};
-use crate::language::Problem;
+use crate::language::Diagnostic;
 use crate::math::Bounds;
 use crate::scene::Scene;
 use crate::surface::Surface;
@@ -15,7 +15,7 @@ use crate::surface::Surface;
 const SHARED_TOLERANCE: f64 = 1e-9;
 
 /// Surfaces on one sheet, or nearly, that share an area.
-pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
+pub(super) fn coincident(scene: &Scene) -> Vec<Diagnostic> {
     let supports = supports(&scene.surfaces);
     let boxes: Vec<_> = scene
         .surfaces

@@ -97,7 +97,7 @@ pub fn prices(
     // Not measured: the first picture also fetches program and textures into the caches.
     let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
     let hash = picture.hash();
-    let picture = picture.shown(scene.settings.transfer);
+    let picture = picture.displayed(scene.settings.transfer);
     let mut drawn = 0;
     for _ in 0..runs {
         for subject in &mut subjects {
@@ -168,7 +168,7 @@ impl<'a> Subject<'a> {
         self.seconds.push(seconds);
         self.counts = counts;
         let transfer = self.scene.settings.transfer;
-        self.change = Change::between(picture, &film.shown(transfer));
+        self.change = Change::between(picture, &film.displayed(transfer));
         Ok(())
     }
 

@@ -147,7 +147,7 @@ fn other(side: Side) -> Side {
 }
 
 fn sends_on(surface: &dyn Surface) -> bool {
-    surface.common().material.sends_on()
+    surface.common().material.spawns_rays()
 }
 
 /// A box in which a surface is met; `None` if it has no end.

@@ -62,7 +62,7 @@ fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
         .map_or(0.0, |lamp| lamp.emissivity().largest());
     let own =
         (ambient + shown + lamplight * diffuse + lit.sum::<f64>()) * (1.0 - material.transparency);
-    let through = material.transparency * material.filter().largest();
+    let through = material.transparency * material.tint().largest();
     // With an index of refraction the share R is mirrored and the rest shared out as if nothing
     // were: (1 − R)(a + k V) + R V is no more than V where a + k V is not.
     let mirrored = match material.ior {

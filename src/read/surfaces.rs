@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::build::{Parts, accepted};
+use super::parts::{Parts, accepted};
 use super::textures;
-use crate::language::{Node, Problem, Value, ValueError};
+use crate::language::{Diagnostic, Node, Value, ValueError};
 use crate::surface::{
     Common, Ellipsoid, FinitePlane, Lamp, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
     TexturePlane, TileStart, TiledPlane, Triangle,
@@ -15,7 +15,7 @@ use crate::texture::Texture;
 pub(super) fn surface(
     node: &Node,
     parts: &Parts,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Box<dyn Surface>> {
     let made = if node.schema == &Lamp::SCHEMA {
         // The one surface without a material.
@@ -33,7 +33,7 @@ pub(super) fn surface(
 fn with_material(
     node: &Node,
     parts: &Parts,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Result<Box<dyn Surface>, ValueError>> {
     let material = parts.materials.find(node, "material");
     let shadow = |word| {

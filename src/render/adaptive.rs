@@ -2,7 +2,7 @@
 
 use super::sample_accumulator::{Around, BORDER, Found, SampleAccumulator};
 use super::{Both, Probe, Seed, Tracer, edge_detector::EdgeDetector};
-use crate::camera::{Pattern, Places};
+use crate::camera::{Pattern, SamplePositions};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
@@ -60,7 +60,7 @@ impl<'a> Adaptive<'a> {
     /// Draws a part of the picture, in pieces that are not so wide that much has to be kept in mind.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
         const WIDEST: usize = 256;
-        let [left, top, right, _] = part.corners();
+        let [left, top, right, _] = part.bounds();
         for left in (left..right).step_by(WIDEST) {
             let piece = Region {
                 left,
@@ -83,15 +83,15 @@ impl<'a> Adaptive<'a> {
         let wide = part.grown_within(size);
         let outlines = self.outlines.over(wide);
         let pilots: Vec<_> = wide
-            .places()
+            .pixels()
             .map(|place| self.pilot(place, outlines.nearest(place), probe))
             .collect();
         let pilot = |[column, row]: [usize; 2]| {
             &pilots[(row - wide.top) * wide.width + (column - wide.left)]
         };
-        for place in part.places() {
+        for place in part.pixels() {
             let own = *pilot(place);
-            let around = Region::around(place, size).places().map(pilot);
+            let around = Region::around(place, size).pixels().map(pilot);
             let around = around.fold(Around::of(&own), |all, it| all.and(Around::of(it)));
             paint(place, self.refined(own, around, place, probe));
         }
@@ -103,7 +103,7 @@ impl<'a> Adaptive<'a> {
         let wide = Region::around(place, size);
         let outlines = self.outlines.over(wide);
         let own = self.pilot(place, outlines.nearest(place), probe);
-        let others = wide.places().filter(|other| *other != place);
+        let others = wide.pixels().filter(|other| *other != place);
         let others = others.map(|other| self.pilot(other, outlines.nearest(other), &mut ()));
         let around = others.fold(Around::of(&own), |all, it| all.and(Around::of(&it)));
         self.refined(own, around, place, probe)
@@ -215,7 +215,7 @@ impl<'a> Adaptive<'a> {
         // The camera counts rows from the bottom.
         let row = self.picture.height as usize - 1 - row;
         let end = tally.count + parts * size;
-        let places = Places::new(Pattern::Sobol, column, row, end);
+        let places = SamplePositions::new(Pattern::Sobol, column, row, end);
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
         let tracer = Tracer {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{RayKind, Tracer};
 use crate::accel::Entry;
-use crate::camera::{Pattern, Places, Share};
+use crate::camera::{Pattern, SampleCell, SamplePositions};
 use crate::math::{Beam, Ray, Rgb};
 use crate::surface::Hit;
 use crate::texture::Filter;
@@ -25,8 +25,8 @@ impl Tracer<'_> {
         let place = [x - pixel[0], y - pixel[1]];
         let share = match self.plan.filter {
             // Which pixel it is does not matter to the cells.
-            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(place),
-            _ => Share::around(place, self.rays),
+            Some(Filter::Exact) => SamplePositions::new(pattern, 0, 0, self.rays).cell(place),
+            _ => SampleCell::around(place, self.rays),
         };
         let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
         self.plan.camera.beam(middle, share.sides)

@@ -47,7 +47,7 @@ impl<'a> Tracer<'a> {
     }
 
     fn draw_each(&self, stretch: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        for (x, pixel) in stretch.places().zip(pixels) {
+        for (x, pixel) in stretch.centers().zip(pixels) {
             *pixel = self.sees(x, stretch.row.y, probe);
         }
     }
@@ -62,7 +62,7 @@ impl<'a> Tracer<'a> {
     ) {
         let screen = self.plan.camera.screen();
         let crossings = entry.flat.map_or(Crossings::Unknown, |flat| {
-            flat.crossings(&stretch.fan(), screen)
+            flat.crossings(&stretch.packet(), screen)
         });
         let is_plain = self.plan.is_unlit() && probe.only_counts();
         match (crossings, entry.plain.filter(|_| is_plain)) {
@@ -92,12 +92,12 @@ impl<'a> Tracer<'a> {
         let row = stretch.row;
         let mut rays = [row.ray(0.0); LONGEST];
         let mut met = [None; LONGEST];
-        for (x, ray) in stretch.places().zip(&mut rays) {
+        for (x, ray) in stretch.centers().zip(&mut rays) {
             ray.dir = row.dir(x);
         }
         let (rays, met) = (&rays[..pixels.len()], &mut met[..pixels.len()]);
         entry.surface.meetings(rays, met);
-        let places = stretch.places().zip(pixels);
+        let places = stretch.centers().zip(pixels);
         for ((ray, met), (x, pixel)) in rays.iter().zip(met).zip(places) {
             asked_once(probe);
             *pixel = match met {
@@ -114,7 +114,7 @@ impl<'a> Tracer<'a> {
     fn fade(&self, color: Rgb, distances: &Distances, stretch: &PixelSpan<'_>, pixels: &mut [Rgb]) {
         // Distances first, so that the processor can find several at once.
         let mut found = [0.0; LONGEST];
-        for (x, found) in stretch.places().zip(&mut found) {
+        for (x, found) in stretch.centers().zip(&mut found) {
             *found = distances.along(stretch.row.dir(x));
         }
         let falloff = self.plan.scene.lighting.view_falloff;

@@ -75,7 +75,7 @@ impl Tracer<'_> {
 
             let material = &entry.common.material;
             let everything = self.plan.scope == Scope::Everything;
-            if material.has_glints() || everything && material.shininess > 0.0 {
+            if material.has_highlights() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - ray.dir).normalize_or_zero();
@@ -97,7 +97,7 @@ impl Tracer<'_> {
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(spawn) = light.seen_along(segment.ray.dir) else {
+        let Some(spawn) = light.incident(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
         let receives = entry.common.shadows.receive;

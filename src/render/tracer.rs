@@ -88,7 +88,7 @@ impl<'a> Tracer<'a> {
         probe.ray(RayKind::Camera, Rgb::WHITE);
         let plan = self.plan;
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
-        let span = plan.camera.span(&ray);
+        let span = plan.camera.limits(&ray);
         let mut met = match &plan.sight {
             Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
             None => plan.surfaces.nearest(&ray, span, &mut tests),
@@ -128,7 +128,7 @@ impl<'a> Tracer<'a> {
     /// The colour that comes back along a ray; black where there is nothing.
     fn trace(&self, ray: &Ray, path: &Path, budget: &mut Budget, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
-        let span = self.plan.camera.span(ray);
+        let span = self.plan.camera.limits(ray);
         let mut met = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.hit_tests(tests);
         match &mut met {

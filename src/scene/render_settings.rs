@@ -222,7 +222,7 @@ impl RenderSettings {
     /// however dark it is.
     #[must_use]
     pub fn missing_light(&self) -> f64 {
-        self.cut_off / self.transfer.steepest()
+        self.cut_off / self.transfer.max_slope()
     }
 
     fn with_properties([width, height]: [u32; 2], node: &Node) -> Self {

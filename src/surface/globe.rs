@@ -53,7 +53,7 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, nearest, &image.in_texels(spread), wraps)
+    image.filtered_linearly(filter, nearest, &image.in_texels(spread), wraps)
 }
 
 /// Adds the texture of a round thing to its node.

@@ -232,7 +232,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
     #[doc(alias = "transmittance")]
     fn transmits(&self, hit: &Hit) -> Rgb {
         let material = &self.common().material;
-        material.filter() * material.transparency * hit.texel
+        material.tint() * material.transparency * hit.texel
     }
 }
 

@@ -92,7 +92,7 @@ impl TexturePlane {
     fn settle_in_doubt(&self, hit: &mut Hit, doubt: f64, ray: &Ray) {
         let Rectangle { flat, frame, .. } = self.plane.rectangle();
         let exact = || frame.exact_offset(flat, ray);
-        hit.uv = self.image.settled(hit.uv, doubt, exact);
+        hit.uv = self.image.snapped(hit.uv, doubt, exact);
         hit.texel = self.image.at(hit.uv);
     }
 }
@@ -183,7 +183,6 @@ impl Surface for TexturePlane {
             flat, frame, size, ..
         } = self.plane.rectangle();
         let footprint = beam.on(flat.point, [frame.x, frame.y], flat.normal);
-        let seen = (&footprint, *size);
-        self.image.over(filter, hit.texel, seen)
+        self.image.filtered(filter, hit.texel, &footprint, *size)
     }
 }

@@ -80,6 +80,6 @@ pub(crate) fn scene(text: &str, folder: &Path, settings: &[(&str, &str)]) -> Sce
         ..Options::default()
     };
     let reading = read_bytes("floor", text.into(), folder.into(), &options);
-    let reading = reading.unwrap_or_else(|no| panic!("{:?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:?}", no.diagnostics));
     reading.scene
 }

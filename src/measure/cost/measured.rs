@@ -169,7 +169,7 @@ impl Subject {
         if self.rung.is_as_written() {
             written(&film, self.rung.picture)
         } else {
-            film.shown(self.rung.picture.transfer)
+            film.displayed(self.rung.picture.transfer)
         }
     }
 

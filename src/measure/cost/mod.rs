@@ -158,7 +158,7 @@ fn twins(
         let (film, _) = draw(scene, best)?;
         twins.push(Twin {
             dial: dial.word,
-            film: film.shown(best.transfer),
+            film: film.displayed(best.transfer),
         });
     }
     Ok(twins)

@@ -61,9 +61,9 @@ impl Reference {
         }
         let [weight, other_weight] = counts.map(f64::from);
         let film = mixed(&halves[0], &halves[1], weight / (weight + other_weight));
-        let halves = halves.into_iter().map(|half| half.shown(best.transfer));
+        let halves = halves.into_iter().map(|half| half.displayed(best.transfer));
         let halves: Vec<_> = halves.collect();
-        let film = film.shown(best.transfer);
+        let film = film.displayed(best.transfer);
         Ok(Self {
             appearance: Appearance::of(&film),
             film,
@@ -87,7 +87,7 @@ impl Reference {
         [width, height]: [u32; 2],
         transfer: Transfer,
     ) -> Result<Self, String> {
-        let film = Film::read(path, transfer)?;
+        let film = Film::read(path, transfer).map_err(|error| error.to_string())?;
         if [film.width(), film.height()] != [width as usize, height as usize] {
             return Err(format!(
                 "it has {}x{} pixels, and the scene's picture {width}x{height}",
@@ -138,7 +138,7 @@ pub(super) fn written(film: &Film, picture: RenderSettings) -> Film {
     let mut written = film.clone();
     for pixel in written.pixels_mut() {
         let channels = pixel.channels();
-        let [r, g, b] = channels.map(|it| picture.depth.shown(it, picture.encoding()));
+        let [r, g, b] = channels.map(|it| picture.depth.displayed(it, picture.encoding()));
         *pixel = Rgb::new(r, g, b);
     }
     written

@@ -1,4 +1,4 @@
-//! The course's entities, as data.
+//! The course's entities as data.
 
 use super::words::{Entity, Role, Word};
 use crate::camera::View;
@@ -11,7 +11,7 @@ use crate::surface::{
 };
 use crate::texture::Texture;
 
-/// The entities that are understood.
+/// The supported entities.
 pub(super) const ENTITIES: &[Entity] = &[
     Entity::new("camera", &View::SCHEMA, &[CAMERA]),
     Entity::new("material", &Material::SCHEMA, &[MATERIAL]),
@@ -52,7 +52,12 @@ pub(super) const ENTITIES: &[Entity] = &[
     .without("shader", &Plane::SCHEMA),
 ];
 
-/// The entities that are known but not drawn, and what comes near to them.
+/// The supported entity with this word.
+pub(super) fn find(word: &str) -> Option<&'static Entity> {
+    ENTITIES.iter().find(|entity| entity.word == word)
+}
+
+/// The entities that are not supported, and a substitute for each.
 pub(super) const UNSUPPORTED: &[(&str, &str)] = &[
     ("psphere", "a plain `sphere`"),
     ("pfplane", "a plain `fplane`"),
@@ -74,7 +79,7 @@ const CAMERA: &[Word] = &[
     Word::new("viewpoint"),
 ];
 
-/// Colours have three numbers; only of `specular` some courses had one.
+/// Colours have three numbers. Some courses had one number for `specular`.
 const MATERIAL: &[Word] = &[
     Word::new("ambient").takes_a(Takes::Triple).optional(),
     Word::new("diffuse").takes_a(Takes::Triple).optional(),
@@ -124,7 +129,7 @@ const ROUND: &[Word] = &[
     Word::new("scale").optional(),
 ];
 
-/// Some courses' triangles were planes, and gave a plane's attributes too.
+/// In some courses triangles were planes and had a plane's attributes.
 const CORNERS: &[Word] = &[
     Word::new("vertex1"),
     Word::new("vertex2"),
@@ -152,7 +157,7 @@ const SHADER: &[Word] = &[
         .optional(),
 ];
 
-/// Every author counted formulas in another way.
+/// The numbers of formulas differed between programs.
 const PROCEDURE: Takes = Takes::Number(Range::Whole(0, u32::MAX));
 
 #[cfg(test)]

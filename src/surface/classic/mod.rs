@@ -167,7 +167,7 @@ impl<T: Scalar, S: Solid<T>> Surface for Classic<'_, T, S> {
             Paint::Own(anchor) => self.surface.transmits(&anchored(hit, *anchor)),
             _ => {
                 let material = &self.common.material;
-                material.filter() * material.transparency * hit.texel
+                material.tint() * material.transparency * hit.texel
             }
         }
     }
