@@ -187,7 +187,7 @@ impl RenderSettings {
     /// [`cut_off`](Self::cut_off), however dark the pixel is.
     #[must_use]
     pub fn missing_light(&self) -> f64 {
-        self.cut_off / self.transfer.steepest()
+        self.cut_off / self.transfer.max_slope()
     }
 }
 

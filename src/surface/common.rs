@@ -88,7 +88,7 @@ impl Common {
     /// The share of light that passes straight through where the texel has this colour.
     #[must_use]
     pub fn transmits(&self, texel: Rgb) -> Rgb {
-        self.material.filter() * self.material.transparency * texel
+        self.material.tint() * self.material.transparency * texel
     }
 
     /// Adds the common properties to a surface's node.

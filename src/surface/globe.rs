@@ -58,7 +58,7 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, hit.texel, &image.in_texels(spread), wraps)
+    image.filtered_linearly(filter, hit.texel, &image.in_texels(spread), wraps)
 }
 
 /// The unit vector of a hit in the space where the shape is the unit sphere.

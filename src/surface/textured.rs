@@ -122,7 +122,7 @@ impl Textured {
     #[cold]
     fn resolve_exactly(&self, rectangle: &Rectangle, hit: &Hit, bound: f64, ray: &Ray) -> Resolved {
         let exact = || rectangle.frame.exact_offset(&rectangle.flat, ray);
-        let uv = self.image.settled(hit.uv, bound, exact);
+        let uv = self.image.snapped(hit.uv, bound, exact);
         let texel = self.image.at(uv);
         Resolved { uv, texel }
     }
@@ -186,6 +186,6 @@ impl Surface for Textured {
             return globe::texel_over(&self.image, &self.shape, hit, beam, filter);
         };
         let footprint = beam.on(flat.point, [frame.x, frame.y], flat.normal);
-        self.image.over(filter, hit.texel, (&footprint, *size))
+        self.image.filtered(filter, hit.texel, &footprint, *size)
     }
 }
