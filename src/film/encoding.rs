@@ -54,6 +54,7 @@ impl Encoding {
     /// every machine. One case rounds the scaled intensity first, as the course's programs did:
     /// truncation without a curve.
     #[must_use]
+    #[inline(always)]
     pub fn code(self, intensity: f64, largest: u16) -> u16 {
         let Self { transfer, rounding } = self;
         if intensity >= 1.0 {
@@ -71,7 +72,18 @@ impl Encoding {
         let code = (raised as u16).min(largest);
         let fraction = raised - f64::from(code);
         let is_certain = fraction > transfer.margin() && fraction < 1.0 - transfer.margin();
-        if self == Rounding::Truncate.into() || is_certain || intensity <= 0.0 {
+        if is_certain {
+            code
+        } else {
+            self.exact_code(intensity, code, largest)
+        }
+    }
+
+    /// The code value of an intensity for which rounded values found `code`, or one beside it.
+    #[cold]
+    fn exact_code(self, intensity: f64, code: u16, largest: u16) -> u16 {
+        let Self { transfer, rounding } = self;
+        if self == Rounding::Truncate.into() || intensity <= 0.0 {
             return code;
         }
         let reaches = |code: u16| transfer.reaches(intensity, rounding.threshold(code), largest);

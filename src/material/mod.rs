@@ -40,7 +40,7 @@ impl Material {
             Attribute::new(
                 "diffuse",
                 Takes::Color,
-                "reflectivity for the light of the lights",
+                "reflectivity for the light of lights and lamps",
             )
             .or(Default::Number(0.0)),
             Attribute::new(

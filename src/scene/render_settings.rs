@@ -69,7 +69,7 @@ impl RenderSettings {
     /// The `image` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "image",
-        about: "The picture's width and height in pixels, and how its pixels are made.",
+        about: "Size and accuracy of the picture.",
         naming: Naming::None,
         value: Some(
             &Attribute::new(

@@ -43,14 +43,18 @@ impl Common {
         Attribute::new(
             "material",
             Takes::Name(Reference::Material),
-            "how it answers light",
+            "the material of the surface",
         ),
-        Attribute::new("shadows", Takes::Nothing, "its part in shadows")
+        Attribute::new("shadows", Takes::Nothing, "its shadows")
             .optional()
             .with(&[
-                Attribute::new("receive", Takes::Flag, "whether others can shadow it")
-                    .or(Default::Flag(true)),
-                Attribute::new("cast", Takes::Flag, "whether it can shadow others")
+                Attribute::new(
+                    "receive",
+                    Takes::Flag,
+                    "whether other surfaces cast shadows on it",
+                )
+                .or(Default::Flag(true)),
+                Attribute::new("cast", Takes::Flag, "whether it casts shadows")
                     .or(Default::Flag(true)),
             ]),
     ];

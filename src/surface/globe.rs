@@ -18,7 +18,7 @@ use crate::texture::{Filter, TextureMap, Wrap, gettexel};
 pub(super) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
     "texture",
     Takes::Name(Reference::Texture),
-    "an image wrapped around it once: its middle faces +z, its top is at +y",
+    "an image wrapped around it once, with its middle at +z and its top at +y",
 )
 .optional()];
 
