@@ -112,7 +112,7 @@ fn line(title: &str, reading: &Reading, answer: serde_json::Value) -> String {
 fn prices(scene: &Scene, options: &Options, messages: &Messages) -> Result<Prices, ValueError> {
     let bar = progress::bar(&options.input.title(), 0, messages);
     let prices = measure::prices(scene, options.runs, &|done, of| {
-        progress::show(&bar, done, of)
+        progress::show(&bar, done, of);
     });
     bar.finish_and_clear();
     prices

@@ -167,7 +167,7 @@ fn shares(
     seen.map(share).collect()
 }
 
-/// SamplePositions anywhere and lamps, along the axes too.
+/// `SamplePositions` anywhere and lamps, along the axes too.
 #[test]
 fn places_get_the_same_shares_of_lamps() {
     let wrong = (0..24u64).into_par_iter().filter(|seed| {

@@ -47,7 +47,7 @@ pub struct Measurement {
     /// Label of a step at least as accurate and as fast, and better in one of them; `None` on the
     /// Pareto front.
     pub dominated_by: Option<String>,
-    /// SamplePositions of the errors of each setting that is varied.
+    /// `SamplePositions` of the errors of each setting that is varied.
     #[serde(skip)]
     pub(super) breakdowns: Vec<Breakdown>,
     /// Picture and errors, if they were asked for.
