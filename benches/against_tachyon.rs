@@ -99,7 +99,7 @@ fn write_twin(folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
     for surface in &scene.surfaces {
         let node = surface.describe();
         let (flat, size) = (
-            surface.flat().ok_or("only rectangles")?,
+            surface.shape().carrier().ok_or("only rectangles")?,
             node.pair("dimensions"),
         );
         let frame = heliodon::math::Frame::new(flat.normal, node.triple("xdir"))?;

@@ -7,14 +7,15 @@
 //! when the number of planes grows tenfold.
 
 use std::error::Error;
-use std::fmt::Write;
 use std::time::Instant;
 
-use heliodon::accel::{Accelerator, SurfaceList};
 use heliodon::plan::{Plan, Scope};
 use heliodon::read::{Options, read_bytes};
-use heliodon::render::{Counts, drawn};
+use heliodon::render::{Counts, Render};
+use heliodon::visibility::{Accelerator, SurfaceList};
 use heliodon::{measure, scene::Scene};
+use support::random::Random;
+use support::scenes::Writer;
 
 const LONGEST_LIST: usize = 10_000;
 
@@ -78,9 +79,9 @@ fn load(text: String) -> Scene {
 
 /// The seconds that a picture takes, and how many surfaces are asked for each ray.
 fn rendered(scene: &Scene, accelerator: Accelerator) -> Result<(f64, f64), Box<dyn Error>> {
-    let plan = Plan::with(scene, None, Scope::CalledFor, accelerator);
+    let plan = Plan::with(scene, Scope::CalledFor, accelerator);
     let plan = plan.map_err(|error| error.reason)?;
-    let (made, seconds) = timed(|| drawn::<Counts>(&plan, &|_| ()));
+    let (made, seconds) = timed(|| Render::new(scene).planned::<Counts>(&plan));
     let (_, counts) = made.map_err(|error| error.reason)?;
     let tests = counts.hit_tests + counts.occlusion_tests;
     Ok((seconds, tests as f64 / counts.rays() as f64))
@@ -93,62 +94,51 @@ material \"m\" { ambient 0.2; diffuse 5 }
 light { location 10 20 30; emissivity 5 }
 ";
 
-fn plane(text: &mut String, point: [f64; 3], normal: [f64; 3], xdir: [f64; 3], size: f64) {
+/// Writes a square, its numbers rounded to four places.
+fn plane(text: &mut Writer, point: [f64; 3], normal: [f64; 3], xdir: [f64; 3], size: f64) {
     let [point, normal, xdir] =
         [point, normal, xdir].map(|[x, y, z]| format!("{x:.4} {y:.4} {z:.4}"));
-    let _ = writeln!(
-        text,
-        "finite-plane {{ material \"m\"; point {point}; normal {normal}; xdir {xdir}; dimensions {size:.4} {size:.4} }}"
-    );
+    let size = (size * 1e4).round() / 1e4;
+    let axes = [normal, xdir];
+    text.rectangle("finite-plane", "material \"m\"", point, axes, [size, size]);
+}
+
+fn vector(random: &mut Random, reach: f64) -> [f64; 3] {
+    (random.cube() * reach).to_array()
 }
 
 /// Planes anywhere in a cube, so small that a ray meets about as many among more of them.
 fn any(count: usize) -> String {
-    let mut text = HEAD.to_owned();
-    let mut random = Random(count as u64);
+    let mut text = Writer::new(HEAD);
+    let mut random = Random::from_state(count as u64);
     for _ in 0..count {
-        let [point, normal, xdir] = [10.0, 1.0, 1.0].map(|reach| random.vector(reach));
+        let [point, normal, xdir] = [10.0, 1.0, 1.0].map(|reach| vector(&mut random, reach));
         plane(&mut text, point, normal, xdir, 10.0 / (count as f64).cbrt());
     }
-    text
+    text.text()
 }
 
 /// One wall of tiles.
 fn tiles(count: usize) -> String {
-    let mut text = HEAD.to_owned();
+    let mut text = Writer::new(HEAD);
     let columns = (count as f64).sqrt().ceil();
     for index in 0..count {
         let [x, y] = [index as f64 % columns, (index as f64 / columns).floor()];
         let point = [x / 10.0, y / 10.0, 0.0];
         plane(&mut text, point, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 0.1);
     }
-    text
+    text.text()
 }
 
 /// Planes in one plane, each turned another way.
 fn turned(count: usize) -> String {
-    let mut text = HEAD.to_owned();
-    let mut random = Random(count as u64);
+    let mut text = Writer::new(HEAD);
+    let mut random = Random::from_state(count as u64);
     let columns = (count as f64).sqrt().ceil();
     for index in 0..count {
         let [x, y] = [index as f64 % columns, (index as f64 / columns).floor()];
-        let [a, b, _] = random.vector(1.0);
+        let [a, b, _] = vector(&mut random, 1.0);
         plane(&mut text, [x, y, 0.0], [0.0, 0.0, 1.0], [a, b, 0.0], 0.3);
     }
-    text
-}
-
-/// Random numbers (Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators").
-struct Random(u64);
-
-impl Random {
-    fn vector(&mut self, reach: f64) -> [f64; 3] {
-        std::array::from_fn(|_| {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-            let share = ((mixed ^ mixed >> 31) >> 11) as f64 / (1u64 << 53) as f64;
-            reach * (2.0 * share - 1.0)
-        })
-    }
+    text.text()
 }

@@ -44,12 +44,12 @@
 //! 0  math       rays, points, frames      language  the scene language as data
 //! ```
 
-pub mod accel;
 pub mod camera;
 pub mod cli;
 #[doc(hidden)]
 pub mod doctest;
 pub mod film;
+pub mod geometry;
 pub mod language;
 pub mod light;
 pub mod material;
@@ -61,3 +61,4 @@ pub mod render;
 pub mod scene;
 pub mod surface;
 pub mod texture;
+pub mod visibility;

@@ -81,7 +81,7 @@ impl PixelSpan<'_> {
 
     /// The rays through it.
     #[must_use]
-    pub fn fan(&self) -> RayPacket {
+    pub fn packet(&self) -> RayPacket {
         let Camera {
             lower_left,
             right,

@@ -6,10 +6,10 @@ use serde::Serialize;
 
 use super::explanation::counted;
 use crate::film::Film;
+use crate::geometry::SharedKind;
 use crate::math::Numerics;
 use crate::render::{Both, Certificate, Counts};
 use crate::scene::Scene;
-use crate::surface::SharedKind;
 
 /// The accuracy of a picture in numbers; lengths are in world units, `null` if nothing bounds them.
 #[derive(Debug, Serialize)]

@@ -13,7 +13,7 @@ use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{Status, input, progress};
 use crate::film::{check_place, save};
-use crate::measure::{self, Best, Cost, Ladder, Limit, Reference, Variation};
+use crate::measure::{self, Best, Cost, CostOptions, Limit, Reference, Sweep, Variation};
 use crate::read::Reading;
 use crate::scene::Scene;
 
@@ -149,15 +149,15 @@ fn measured(
     let title = options.input.title();
     let refused = |error| CommandError::value(Status::BadInput, &title, &error);
     let base = scene.settings;
-    let ladder = match (options.vary.as_slice(), options.grid) {
-        ([], _) => Ok(Ladder::of(
+    let sweep = match (options.vary.as_slice(), options.grid) {
+        ([], _) => Ok(Sweep::of(
             base,
             &measure::effects_of(scene).map_err(refused)?,
         )),
-        (variations, true) => Ladder::of_all(base, variations),
-        (variations, false) => Ladder::of_each(base, variations),
+        (variations, true) => Sweep::grid(base, variations),
+        (variations, false) => Sweep::each(base, variations),
     };
-    let ladder = ladder
+    let sweep = sweep
         .map_err(|error| CommandError::usage(format!("{}; {}", error.reason, error.advice)))?;
     let reference = options.reference().map(|path| {
         let reference = Reference::from_file(path, [base.width, base.height], base.transfer);
@@ -165,11 +165,15 @@ fn measured(
             CommandError::io(format!("cannot compare with {}: {error}", path.display()))
         })
     });
-    let reference = reference.transpose()?;
+    let how = CostOptions {
+        reference: reference.transpose()?,
+        runs: options.runs,
+        with_pictures: options.report.is_some(),
+    };
     let bar = progress::bar(&title, 0, messages);
-    let pictures = options.report.is_some();
-    let show = |done, of| progress::show(&bar, done, of);
-    let cost = measure::cost(scene, &ladder, reference, options.runs, pictures, &show);
+    let cost = measure::cost(scene, &sweep, how, &|done, of| {
+        progress::show(&bar, done, of)
+    });
     bar.finish_and_clear();
     cost.map_err(refused)
 }
@@ -246,7 +250,7 @@ fn json(
     cost: &Cost,
     answers: &[(&str, Best)],
 ) -> String {
-    let mut line = serde_json::json!(cost);
+    let mut line = cost.json();
     line["scene"] = title.into();
     line["exit"] = status.code().into();
     line["problems"] = problems_json(&reading.warnings, &reading.scene.sources).into();

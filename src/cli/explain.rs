@@ -69,7 +69,7 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     if let Some(pixel) = options.pixel {
         let story = measure::transcript(scene, pixel)?;
         return Ok(if json {
-            line(&title, reading, serde_json::json!(story))
+            line(&title, reading, story.json())
         } else {
             story::text(&story, scene, &title)
         });

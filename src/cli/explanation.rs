@@ -6,9 +6,9 @@ use textwrap::core::Word;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
 use super::stats;
-use crate::accel::{Accelerator, MOST_LISTS};
-use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, Thing};
+use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, SceneItem};
 use crate::plan::{Effect, Reachability, Unlit};
+use crate::visibility::{Accelerator, MOST_LISTS};
 
 /// The widest line of a list, in columns.
 const WIDTH: usize = 100;
@@ -237,7 +237,7 @@ fn split_at_commas(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
 }
 
 /// A thing with its line, or with its file and line if it stands in an included one.
-pub(super) fn placed(thing: &Thing, scene: &str) -> String {
+pub(super) fn placed(thing: &SceneItem, scene: &str) -> String {
     let Some(place) = &thing.place else {
         return thing.title.clone();
     };

@@ -212,13 +212,16 @@ impl Batch<'_> {
         } else {
             Scope::CalledFor
         };
+        let request = render::Render::new(scene)
+            .scope(scope)
+            .part(part)
+            .progress(&progress);
         let rendered = self.pool.install(|| {
             if !self.options.certify {
-                let (image, counts) = render::printed_part(scene, scope, part, format, &progress)?;
+                let (image, counts) = request.encoded(format)?;
                 return Ok((image, counts, None));
             }
-            let (film, seen): (_, Both<Counts, Certificate>) =
-                render::observed_part(scene, scope, part, &progress)?;
+            let (film, seen): (_, Both<Counts, Certificate>) = request.film()?;
             let report = certificate::report(&seen, scene, &film);
             let image = EncodedImage::of(&film, format, scene.settings.encoding());
             let image = image.ok_or_else(|| render::no_memory(part))?;

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::explanation::counted;
+use crate::geometry::{Shared, SharedKind};
 use crate::scene::Scene;
-use crate::surface::{Shared, SharedKind};
 
 /// The shared planes and lines as JSON values.
 pub(super) fn as_json(scene: &Scene) -> Vec<Value> {

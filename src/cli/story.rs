@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use super::explanation::placed;
-use crate::measure::{LightStep, Met, PixelStory, Step};
+use crate::measure::{HitReport, LightReport, PixelReport, RayReport};
 use crate::scene::Scene;
 
 /// The story of a pixel as text.
-pub(super) fn text(story: &PixelStory, scene: &Scene, title: &str) -> String {
+pub(super) fn text(story: &PixelReport, scene: &Scene, title: &str) -> String {
     let [x, y] = story.pixel;
     let (color, stored) = (color(story.color), stored(story.color, scene));
     let text = format!("pixel {x},{y} of {title}: {color}, stored as {stored}\n");
@@ -24,11 +24,11 @@ struct Story<'a> {
 }
 
 impl Story<'_> {
-    fn rays(&mut self, rays: &[Step]) -> std::fmt::Result {
+    fn rays(&mut self, rays: &[RayReport]) -> std::fmt::Result {
         if let [ray] = rays {
             return self.step(ray, 0);
         }
-        let misses = rays.iter().filter(|ray| ray.met.is_none()).count();
+        let misses = rays.iter().filter(|ray| ray.hit.is_none()).count();
         if misses > 0 {
             let all = rays.len();
             writeln!(
@@ -36,7 +36,7 @@ impl Story<'_> {
                 "\ncamera rays that hit nothing: {misses} of {all}"
             )?;
         }
-        for (number, ray) in (1..).zip(rays).filter(|(_, ray)| ray.met.is_some()) {
+        for (number, ray) in (1..).zip(rays).filter(|(_, ray)| ray.hit.is_some()) {
             writeln!(self.text, "\nray {number} of {}", rays.len())?;
             self.step(ray, 1)?;
         }
@@ -49,9 +49,9 @@ impl Story<'_> {
     }
 
     /// A ray with everything that it caused.
-    fn step(&mut self, ray: &Step, depth: usize) -> std::fmt::Result {
+    fn step(&mut self, ray: &RayReport, depth: usize) -> std::fmt::Result {
         let mut name = ray_name(ray.kind);
-        let Some(met) = &ray.met else {
+        let Some(hit) = &ray.hit else {
             return self.line(depth, &format!("{name} hits nothing"));
         };
         if ray.share != [1.0; 3] {
@@ -59,13 +59,13 @@ impl Story<'_> {
         }
         self.line(depth, &name)?;
         let inner = depth + 1;
-        self.hit(met, inner)?;
+        self.hit(hit, inner)?;
         for light in &ray.lights {
             self.arrival(light, inner)?;
         }
         let own = color(ray.own);
         let own = match ray.of_lamps {
-            _ if met.glows => format!("emits {own}"),
+            _ if hit.glows => format!("emits {own}"),
             [0.0, 0.0, 0.0] => format!("own colour {own}"),
             of_lamps => format!(
                 "own colour {own}, of which {} is from lamps",
@@ -86,21 +86,21 @@ impl Story<'_> {
         Ok(())
     }
 
-    fn hit(&mut self, met: &Met, depth: usize) -> std::fmt::Result {
-        let (surface, distance) = (placed(&met.surface, self.title), number(met.distance));
-        let point = color(met.place);
+    fn hit(&mut self, hit: &HitReport, depth: usize) -> std::fmt::Result {
+        let (surface, distance) = (placed(&hit.surface, self.title), number(hit.distance));
+        let point = color(hit.place);
         self.line(
             depth,
             &format!("hits {surface} at distance {distance}, point {point}"),
         )?;
-        if met.texel == [1.0; 3] {
+        if hit.texel == [1.0; 3] {
             return Ok(());
         }
-        self.line(depth, &format!("texture colour {}", color(met.texel)))
+        self.line(depth, &format!("texture colour {}", color(hit.texel)))
     }
 
     /// The light of a light or a lamp at the hit.
-    fn arrival(&mut self, light: &LightStep, depth: usize) -> std::fmt::Result {
+    fn arrival(&mut self, light: &LightReport, depth: usize) -> std::fmt::Result {
         let (title, what) = (placed(&light.light, self.title), &light.what);
         let arrives = light.arrives.map(|arrives| color(arrives) + " ");
         let arrives = arrives.unwrap_or_default();

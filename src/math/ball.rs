@@ -23,9 +23,9 @@ impl Ball {
         }
     }
 
-    /// Its radius.
+    /// The radius.
     #[must_use]
-    pub fn reach(&self) -> f64 {
+    pub fn radius(&self) -> f64 {
         self.radius
     }
 

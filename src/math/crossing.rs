@@ -46,7 +46,9 @@ impl Crossing {
     /// The distance of the crossing: above zero, as it lies ahead.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        distance(self.height, self.slope)
+        const SMALLEST: f64 = f64::from_bits(1);
+        // Within rounding of the plane, the height can have the wrong sign.
+        (self.height / self.slope).max(SMALLEST)
     }
 
     /// Whether the crossing lies beyond a span for certain, before any division.
@@ -69,20 +71,12 @@ impl Crossing {
     }
 }
 
-/// The distance of a crossing.
-#[inline(always)]
-pub(super) fn distance(height: f64, slope: f64) -> f64 {
-    const SMALLEST: f64 = f64::from_bits(1);
-    // Within rounding of the plane, the height can have the wrong sign.
-    (height / slope).max(SMALLEST)
-}
-
 /// A slope that is not [`GRAZING`], whichever surface's normal in a plane it was computed with.
 const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 
 /// Rounded values do not decide.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct InDoubt;
+pub struct InDoubt;
 
 impl Flat {
     /// Where a segment crosses the plane, if its ends lie strictly on opposite sides; only then
@@ -127,7 +121,7 @@ impl Flat {
 
     /// Where a ray crosses the plane ahead, if it does, by rounded values; or that they leave doubt.
     #[inline(always)]
-    pub(super) fn certain_crossing(&self, ray: &Ray) -> Result<Option<Crossing>, InDoubt> {
+    pub(crate) fn certain_crossing(&self, ray: &Ray) -> Result<Option<Crossing>, InDoubt> {
         let origin = ray.origin.from(self.point);
         let height = -self.normal.dot(origin);
         let slope = self.normal.dot(ray.dir);
@@ -149,7 +143,7 @@ impl Flat {
 
     /// Where a ray crosses the plane ahead, if it does, where rounded values leave doubt.
     #[cold]
-    pub(super) fn doubtful_crossing(&self, ray: &Ray) -> Option<Crossing> {
+    pub(crate) fn doubtful_crossing(&self, ray: &Ray) -> Option<Crossing> {
         let origin = ray.origin.from(self.point);
         let (height, slope) = (-self.normal.dot(origin), self.normal.dot(ray.dir));
         let crossing = Crossing {
@@ -220,7 +214,7 @@ impl Flat {
         let mut ray = *ray;
         let mut inherited = false;
         let side = loop {
-            let Some(ray_origin) = ray.ray_origin else {
+            let Some(ray_origin) = ray.spawned_from else {
                 break self.exact_side(&ray.origin);
             };
             if ray_origin.is_in(self) {
@@ -251,7 +245,7 @@ impl Flat {
     /// Whether a ray leaves a hit so close to the plane that its side of it is not measured.
     #[must_use]
     pub fn is_next_to_start(&self, ray: &Ray) -> bool {
-        let ray_origin = ray.ray_origin;
+        let ray_origin = ray.spawned_from;
         ray_origin.is_some_and(|ray_origin| self.certain_height(ray_origin).is_none())
     }
 }

@@ -103,3 +103,26 @@ pub(crate) const SHADE: f64 = 16_384.0 * UNIT;
 /// is off by 8 u puts its angle off by 4 √u at most, which is 0.05, once for the arc cosine and once
 /// for a light's own cone. All together it is less than 0.8 of the margin.
 pub(crate) const APART: f64 = 8_589_934_592.0 * UNIT;
+
+/// `|c|² − r²` of a ball, in units of `size² + r²`: two roundings in each component of `c`, a product and
+/// two sums, and a difference.
+pub(crate) const BALL_SIDE: f64 = 16.0 * UNIT;
+
+/// A rounded value of the occlusion tests, in units of the sizes that it is made of: 2⁻⁴³.
+///
+/// Corners, hit points and points of a lamp are off by 16 roundings of their size at most. A product of
+/// three differences of them is off by three times two of these and 11 more; that is far less. A ray whose
+/// direction is rounded passes a corner of a lamp as if that were moved by a few roundings of the whole
+/// distance. A larger bound only makes more tests.
+pub(crate) const OCCLUSION: f64 = 1024.0 * UNIT;
+
+/// Six times the volume of a tetrahedron, in units of products of its corners' sizes.
+///
+/// Each difference, product and sum is rounded once, 11 on the longest path; corners may be rounded too,
+/// and points that are computed on a surface lie off it by 16 roundings. The rounded direction of a ray
+/// moves its end by a few roundings of the whole distance.
+pub(crate) const VOLUME: f64 = 128.0 * UNIT;
+
+/// The error of a segment's crossing of an occluder's plane, in units of all sizes: far above what start,
+/// direction and plane add.
+pub(crate) const CROSSING_HEIGHT: f64 = 64.0 * UNIT;

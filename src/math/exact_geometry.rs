@@ -51,7 +51,7 @@ impl ExactGeometry {
     }
 
     /// A rectangle along the axes of a frame.
-    pub(super) fn framed(corner: DVec3, frame: ExactFrame, size: DVec2) -> Self {
+    pub fn framed(corner: DVec3, frame: ExactFrame, size: DVec2) -> Self {
         let plane = Self {
             point: RationalVector::of_decimals(corner),
             normal: frame.normal,

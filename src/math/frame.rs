@@ -29,7 +29,7 @@ impl Frame {
     }
 
     /// The axes that are those of an exact frame, rounded.
-    pub(super) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, ValueError> {
+    pub(crate) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, ValueError> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
         let expected = "expected a direction that is not the normal's";
         let error = |reason: &str| ValueError::new("xdir", reason, advice).expected(expected);

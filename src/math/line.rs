@@ -171,7 +171,7 @@ pub fn inside_all(
 /// Whether a surface with these corners, next to which a ray starts, is on the side of the plane
 /// left behind to which the ray goes; `None` if it is within rounding of that plane.
 fn rises_ahead(corners: &[ExactVector], ray: &Ray, rounding: f64) -> Option<bool> {
-    let Some(left) = ray.ray_origin.and_then(|ray_origin| ray_origin.flat) else {
+    let Some(left) = ray.spawned_from.and_then(|ray_origin| ray_origin.flat) else {
         return Some(true);
     };
     let goes = left.exact_slope(ray.dir).sign();

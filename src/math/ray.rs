@@ -18,7 +18,7 @@ pub struct Ray<'a> {
     /// Where it goes; of unit length, so that `t` is a distance.
     pub dir: DVec3,
     /// The hit that it starts from, if it does not start in free space.
-    pub ray_origin: Option<&'a RayOrigin<'a>>,
+    pub spawned_from: Option<&'a RayOrigin<'a>>,
     /// The ray's share in what a height above a plane can be off by when the way to the plane's
     /// point is computed.
     pub(crate) doubt: f64,
@@ -31,7 +31,7 @@ pub struct Ray<'a> {
 pub struct RayOrigin<'a> {
     /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
     /// they can.
-    pub support: Option<CarrierId>,
+    pub carrier: Option<CarrierId>,
     /// The surface's plane, if it is flat.
     pub flat: Option<&'a Flat>,
     /// The hit.
@@ -63,7 +63,7 @@ impl<'a> RayOrigin<'a> {
     #[must_use]
     #[inline]
     pub fn new(
-        (support, flat): (Option<CarrierId>, Option<&'a Flat>),
+        (carrier, flat): (Option<CarrierId>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
         point: Point,
         slip: f64,
@@ -72,7 +72,7 @@ impl<'a> RayOrigin<'a> {
         let (_, before) = arriving.origin.seen_from(point.anchor);
         let length = before + point.offset.abs().element_sum();
         Self {
-            support,
+            carrier,
             flat,
             point,
             curve: None,
@@ -109,7 +109,7 @@ impl<'a> Ray<'a> {
         Self {
             origin,
             dir,
-            ray_origin: None,
+            spawned_from: None,
             doubt: HEIGHT * origin.size(),
             astray: 0.0,
         }
@@ -122,7 +122,7 @@ impl<'a> Ray<'a> {
         Self {
             origin: ray_origin.point,
             dir,
-            ray_origin: Some(ray_origin),
+            spawned_from: Some(ray_origin),
             doubt: ray_origin.doubt,
             astray: ray_origin.astray,
         }
@@ -138,14 +138,14 @@ impl<'a> Ray<'a> {
     /// How far at most its origin lies from where it ought to.
     #[must_use]
     pub fn rounding(&self) -> f64 {
-        self.ray_origin
+        self.spawned_from
             .map_or(0.0, |ray_origin| ray_origin.rounding())
     }
 
     /// The sheet that it starts from.
     #[must_use]
     pub fn leaves(&self) -> Option<CarrierId> {
-        self.ray_origin.and_then(|ray_origin| ray_origin.support)
+        self.spawned_from.and_then(|ray_origin| ray_origin.carrier)
     }
 
     /// Whether it goes to the inside of this round thing, if it starts from its surface.
@@ -153,7 +153,7 @@ impl<'a> Ray<'a> {
     /// That is the side for which the direction was made, whatever the rounded point says.
     #[must_use]
     pub fn goes_inside(&self, round: [DVec3; 2]) -> Option<bool> {
-        let curve = self.ray_origin?.curve?;
+        let curve = self.spawned_from?.curve?;
         (curve.round == round).then(|| self.dir.dot(curve.normal) < 0.0)
     }
 

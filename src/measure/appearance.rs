@@ -1,4 +1,4 @@
-//! What an eye sees of a picture.
+//! Perceived difference of pictures: FLIP.
 
 use std::f64::consts::PI;
 
@@ -9,28 +9,24 @@ use super::kernel::{Border, Kernel, Plane};
 use super::lab::{Lab, intensity_of_value, xyz_of_rgb};
 use crate::film::Film;
 
-/// How many pixels an eye sees in a degree: on a screen that is 3840 pixels wide, from as far away as
-/// it is wide.
+/// Pixels per degree of vision: a screen of 3840 pixels, seen from as far away as it is wide.
 const PIXELS_PER_DEGREE: f64 = 67.0;
 
-/// What an eye sees of a picture on a screen: colours, blurred as the eye blurs them, and edges and points.
+/// Colours of a picture as the eye blurs them, and its edges and points.
 ///
-/// Two of these tell how different the pictures look if one is shown in place of the other. That is FLIP
-/// by Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference
-/// Evaluator for Alternating Images", with the constants of that paper for pictures of limited brightness.
-/// It is written out here, because the library that there is has to be built from C++.
+/// Two of them give FLIP by Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild
+/// 2020, "FLIP: A Difference Evaluator for Alternating Images", with its constants for pictures of
+/// limited brightness.
+// Written out here, because the authors' library is built from C++.
 #[derive(Debug, Clone)]
 pub struct Appearance {
-    /// The colour of each pixel.
     colors: Vec<Lab>,
-    /// How strong an edge and how strong a point is at each pixel.
+    /// Strength of edges and of points at each pixel.
     features: Vec<[f64; 2]>,
 }
 
 impl Appearance {
-    /// What an eye sees of a picture whose channels are what its code values are shares of.
-    ///
-    /// Screens take code values for sRGB, by whatever curve they were made; and so does this.
+    /// Appearance of a picture as it is shown; its values are taken for sRGB, as screens do.
     #[must_use]
     pub fn of(film: &Film) -> Self {
         let (intensity, to_xyz) = (intensity_of_value(), xyz_of_rgb());
@@ -50,8 +46,9 @@ impl Appearance {
         }
     }
 
-    /// The mean of the FLIP map of two pictures of the same size: from 0, where nobody sees a difference,
-    /// to 1; the same in both directions, and 0 for pictures without pixels.
+    /// Mean of the FLIP map of two pictures of the same size, from 0 (no visible difference) to 1.
+    ///
+    /// Symmetric; 0 for pictures without pixels.
     #[must_use]
     pub fn flip(&self, other: &Self) -> f64 {
         let largest = Lab::largest_difference();
@@ -61,7 +58,7 @@ impl Appearance {
             let error = color_error(colors.0.difference(*colors.1) / largest);
             power(error, 1.0 - feature_error(*features.0, *features.1))
         });
-        // In one order, whatever the number of threads.
+        // Summed in one order on any number of threads.
         let errors: Vec<_> = errors.collect();
         #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
         let count = errors.len().max(1) as f64;
@@ -69,12 +66,10 @@ impl Appearance {
     }
 }
 
-/// The colours that the eye sees: what is left of brightness, of red against green, and of yellow
-/// against blue.
-///
-/// How well the contrast of each is seen goes with its frequency as Gaussians do, and so the blur is made
-/// of Gaussians: of each the amplitude, and the square of the spread.
+/// Colours from blurred brightness, red against green, and yellow against blue.
 fn colors(opponents: &[Plane; 3]) -> Vec<Lab> {
+    // Contrast sensitivity of each is a sum of Gaussians of the frequency, and so is the blur:
+    // amplitude and square of the spread of each.
     const BRIGHT: &[[f64; 2]] = &[[1.0, 0.0047]];
     const RED_GREEN: &[[f64; 2]] = &[[1.0, 0.0053]];
     const YELLOW_BLUE: &[[f64; 2]] = &[[34.1, 0.04], [13.5, 0.025]];
@@ -92,9 +87,9 @@ fn colors(opponents: &[Plane; 3]) -> Vec<Lab> {
     (0..bright.len()).into_par_iter().map(color).collect()
 }
 
-/// The sum of Gaussian blurs of a plane.
+/// Sum of Gaussian blurs of a plane.
 fn blurred(plane: &Plane, gaussians: &[[f64; 2]]) -> Vec<f64> {
-    /// The widest of all, of which three standard deviations count.
+    /// Square of the largest spread; three standard deviations of it count.
     const WIDEST: f64 = 0.04;
     let reach = 3.0 * (WIDEST / 2.0).sqrt() / PI;
     let parts = gaussians.iter().map(|[amplitude, spread]| {
@@ -117,9 +112,9 @@ fn blurred(plane: &Plane, gaussians: &[[f64; 2]]) -> Vec<f64> {
     blurred
 }
 
-/// How strong edges and points of brightness are: its first and its second derivatives, blurred.
+/// Strength of edges and points of brightness: its blurred first and second derivatives.
 fn features(bright: &Plane) -> Vec<[f64; 2]> {
-    /// How wide the eye's own detectors of edges are, in degrees.
+    /// Width of the edge detectors of the eye, in degrees.
     const WIDTH: f64 = 0.082;
     let deviation = WIDTH / 2.0;
     let gaussian = |x: f64| libm::exp(-x * x / 2.0);
@@ -143,7 +138,7 @@ fn features(bright: &Plane) -> Vec<[f64; 2]> {
     edges.zip(points).map(<[f64; 2]>::from).collect()
 }
 
-/// The weights of pixels by their distances in degrees, up to a reach.
+/// Weights of pixels by their distances in degrees, up to a reach.
 fn weights(reach: f64, weight: impl Fn(f64) -> f64) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
     let reach = (reach * PIXELS_PER_DEGREE).ceil() as i32;
@@ -152,10 +147,10 @@ fn weights(reach: f64, weight: impl Fn(f64) -> f64) -> Vec<f64> {
     weights.collect()
 }
 
-/// The error that a difference of colours is, a share of the largest: small ones count more.
+/// Error of a colour difference, a share of the largest one: small differences count more.
 fn color_error(share: f64) -> f64 {
     const EXPONENT: f64 = 0.7;
-    /// Where the errors are compressed from, and to what.
+    /// Point where the compression of errors changes.
     const BEND: [f64; 2] = [0.4, 0.95];
     let share = power(share, EXPONENT).min(1.0);
     if share < BEND[0] {
@@ -165,14 +160,14 @@ fn color_error(share: f64) -> f64 {
     }
 }
 
-/// The error that different edges or points are, from 0 to 1.
+/// Error of different edges or points, from 0 to 1.
 fn feature_error(features: [f64; 2], other: [f64; 2]) -> f64 {
     let [edge, point] = [0, 1].map(|kind| (features[kind] - other[kind]).abs());
     // The exponent is a half.
     (edge.max(point) / 2.0_f64.sqrt()).sqrt()
 }
 
-/// A power of a number from 0 on, but for a few roundings; right to the last bit takes three times as long.
+/// Power of a number from 0 on, within a few roundings; three times as fast as an exact one.
 fn power(base: f64, exponent: f64) -> f64 {
     if base > 0.0 {
         libm::exp(exponent * libm::log(base))

@@ -1,74 +1,79 @@
-//! What is odd about a scene that can be rendered.
+//! Warnings about scenes that can be rendered but are probably not meant.
 
 use glam::DVec3;
 
-use crate::accel::{LampView, SurfaceList};
+use super::coincident::{Coincidence, coincidences};
 use crate::camera::{Camera, View};
 use crate::language::{Location, Node, Problem, Value};
+use crate::light::Light;
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Emitter, Silhouettes, SurfaceList};
 
-use super::coincident::coincident;
-
-/// How far an `xdir` may point out of its plane before it is remarked on, in degrees.
+/// Angle in degrees up to which an `xdir` may leave its plane without a warning.
 ///
-/// Smaller, and rounded decimals are remarked on; larger, and a real mistake is not.
+/// Smaller, and rounded decimals are reported; larger, and a real mistake is not.
 const XDIR_TOLERANCE: f64 = 0.1;
 
 /// Warnings about geometry that is allowed but probably not meant.
 #[must_use]
 pub fn check(scene: &Scene) -> Vec<Problem> {
     let surfaces = || scene.surfaces.iter().map(AsRef::as_ref);
-    let nodes = surfaces().map(|surface| {
-        let common = surface.common();
-        (common.describe(surface.describe()), common.location)
-    });
-    let lights = scene
-        .lights
-        .iter()
-        .map(|light| (light.describe(), light.place));
-    let mut warnings: Vec<_> = nodes
-        .chain(lights)
-        .filter_map(|(node, at)| tilted_xdir(&node, at))
-        .collect();
-    warnings.extend(useless_lights(scene));
+    let lights = scene.lights.iter();
+    let subjects = surfaces().map(surface_subject);
+    let subjects = subjects.chain(lights.clone().map(light_subject));
+    let mut warnings: Vec<_> = subjects.filter_map(|it| tilted_xdir(&it)).collect();
+    warnings.extend(lights.filter_map(|light| useless_light(light, scene)));
     warnings.extend(useless_lamps(scene));
-    if let Ok(camera) = scene
-        .view
-        .camera(scene.settings.width, scene.settings.height)
-    {
+    let [width, height] = [scene.settings.width, scene.settings.height];
+    if let Ok(camera) = scene.view.camera(width, height) {
         warnings.extend(surfaces().filter_map(|surface| around_camera(surface, &camera)));
-        let hidden = surfaces().filter(|surface| !in_front(*surface, &camera, &scene.view));
-        warnings.extend(hidden.filter_map(|surface| never_in_front(surface, &scene.view)));
+        warnings.extend(surfaces().filter_map(|it| never_in_front(it, &camera, &scene.view)));
     }
-    warnings.extend(coincident(scene));
+    warnings.extend(
+        coincidences(scene)
+            .into_iter()
+            .map(|it| coincides(it, scene)),
+    );
     warnings
 }
 
-/// What a message calls a surface or a light: its kind and name.
-pub(super) fn title(node: &Node, name: Option<&str>) -> String {
+/// A surface or light that a warning is about, and its place in the file.
+type Subject = (Node, Option<Location>);
+
+fn surface_subject(surface: &dyn Surface) -> Subject {
+    let common = surface.common();
+    (common.describe(surface.describe()), common.location)
+}
+
+fn light_subject(light: &Light) -> Subject {
+    (light.describe(), light.place)
+}
+
+/// Kind and name with an article.
+fn title((node, _): &Subject) -> String {
     let word = node.schema.word;
-    match name {
+    match &node.name {
         Some(name) => format!("the {word} {name:?}"),
         None if word.starts_with(['a', 'e', 'i', 'o', 'u']) => format!("an {word}"),
         None => format!("a {word}"),
     }
 }
 
-pub(super) fn warning(surface: &dyn Surface, what: &str, label: &str) -> Option<Problem> {
-    let common = surface.common();
-    let title = title(&surface.describe(), common.name.as_deref());
-    let at = common.location.unwrap_or(Location {
+fn warning(subject: &Subject, what: &str, [label, help]: [&str; 2]) -> Problem {
+    let start = Location {
         source: 0,
         start: 0,
         length: 0,
-    });
-    Some(Problem::warning(at, format!("{title} {what}"), label))
+    };
+    let message = format!("{} {what}", title(subject));
+    Problem::warning(subject.1.unwrap_or(start), message, label).help(help)
 }
 
-/// An `xdir` that does not lie in the plane; it is projected, and the user should know.
-fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Problem> {
+/// Reports an `xdir` that does not lie in the plane; it is projected into it.
+fn tilted_xdir(subject: &Subject) -> Option<Problem> {
+    let node = &subject.0;
     let known = |word| node.entry(word).is_some();
     if !(known("xdir") && known("normal")) {
         return None;
@@ -76,63 +81,89 @@ fn tilted_xdir(node: &Node, at: Option<Location>) -> Option<Problem> {
     let (normal, xdir) = (unit(node.triple("normal"))?, unit(node.triple("xdir"))?);
     let sine = normal.dot(xdir).clamp(-1.0, 1.0);
     let angle = libm::asin(sine).to_degrees().abs();
-    if angle <= XDIR_TOLERANCE {
+    let what = format!("has an xdir that points {angle:.1}° out of its plane");
+    let advice = [
+        "projected into the plane",
+        "use an xdir perpendicular to the normal",
+    ];
+    (angle > XDIR_TOLERANCE).then(|| warning(subject, &what, advice))
+}
+
+/// Reports a light on the front of no surface.
+fn useless_light(light: &Light, scene: &Scene) -> Option<Problem> {
+    let location = Point::exact(light.location);
+    let mut surfaces = scene.surfaces.iter();
+    if surfaces.len() == 0 || surfaces.any(|it| it.shape().side(&location) == Side::Front) {
         return None;
     }
-    let title = title(node, node.name.as_deref());
-    let message = format!("{title} has an xdir that points {angle:.1}° out of its plane");
-    let problem = Problem::warning(at?, message, "projected into the plane");
-    Some(problem.help("give an xdir at right angles to the normal, if this is not meant"))
+    let help = "surfaces are lit on the side that their normal points to; \
+                turn a normal around or move the light";
+    let advice = ["lights nothing", help];
+    Some(warning(
+        &light_subject(light),
+        "lies behind every surface",
+        advice,
+    ))
 }
 
-/// Lights that have every surface's back, so that they light nothing.
-fn useless_lights(scene: &Scene) -> impl Iterator<Item = Problem> {
-    let lights = scene.lights.iter().filter(|light| {
-        let location = Point::exact(light.location);
-        !scene.surfaces.is_empty()
-            && scene
-                .surfaces
-                .iter()
-                .all(|surface| surface.side(&location) != Side::Front)
-    });
-    lights.filter_map(|light| {
-        let title = title(&light.describe(), light.name.as_deref());
-        let message = format!("{title} lies behind every surface");
-        let help = "surfaces are lit on the side that their normal points to; \
-                    turn a normal around or move the light";
-        Some(Problem::warning(light.place?, message, "lights nothing").help(help))
-    })
-}
-
-/// Lamps that shine on no surface's front.
+/// Reports lamps that shine on the front of no surface.
 fn useless_lamps(scene: &Scene) -> Vec<Problem> {
     let surfaces = SurfaceList::new(&scene.surfaces);
-    let lit = || {
-        let entries = surfaces.entries().iter();
-        entries.filter(|entry| entry.surface.lamp().is_none())
-    };
-    let views = LampView::all(&surfaces, &scene.surfaces, true);
-    let useless = views
-        .iter()
-        .filter(|view| lit().next().is_some() && !lit().any(|entry| view.lights(entry)));
-    let problems = useless.filter_map(|view| {
-        let what = "shines on the front of no surface";
-        let problem = warning(view.lamp, what, "lights nothing, but is seen")?;
-        Some(problem.help("turn its normal or that of a surface around, or move it"))
+    let silhouettes = Silhouettes::new(scene.surfaces.len());
+    let receivers = surfaces.primitives().iter();
+    let receivers = receivers.filter(|it| it.surface.lamp().is_none());
+    let help = "turn its normal or the normal of a surface around, or move it";
+    let problems = Emitter::lamps(&surfaces).filter_map(|emitter| {
+        let lamp = emitter.silhouette();
+        let mut lit = receivers
+            .clone()
+            .map(|it| lamp.can_light(silhouettes.of(it)));
+        let is_useless = receivers.clone().next().is_some() && !lit.any(|it| it);
+        let subject = surface_subject(emitter.lamp().filter(|_| is_useless)?);
+        let advice = ["visible, but lights nothing", help];
+        Some(warning(
+            &subject,
+            "shines on the front of no surface",
+            advice,
+        ))
     });
     problems.collect()
 }
 
+/// Reports a closed surface around the camera.
 fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
-    let closed = surface.flat().is_none();
-    if !closed || surface.side(&Point::exact(camera.viewpoint())) != Side::Back {
-        return None;
-    }
-    let problem = warning(surface, "has the camera inside", "not seen from inside")?;
-    Some(problem.help("move the viewpoint out of it"))
+    let is_closed = surface.shape().carrier().is_none();
+    let is_inside = surface.shape().side(&Point::exact(camera.viewpoint())) == Side::Back;
+    let advice = ["not visible from inside", "move the viewpoint out of it"];
+    let report = || warning(&surface_subject(surface), "has the camera inside", advice);
+    (is_closed && is_inside).then(report)
 }
 
-/// Whether some part of a surface can be seen directly.
+/// Reports a surface no part of which can be seen directly.
+fn never_in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> Option<Problem> {
+    if in_front(surface, camera, view) {
+        return None;
+    }
+    let screen_help;
+    let advice = match view {
+        View::Screen { at, .. } => {
+            let z = Value::Number(at.z);
+            screen_help = format!("only what lies behind the screen, at z ≤ {z}, is drawn");
+            ["wholly on the viewer's side of the screen", &screen_help]
+        }
+        View::LookAt { .. } => [
+            "not visible directly",
+            "it can still be visible in mirrors and cast shadows",
+        ],
+    };
+    Some(warning(
+        &surface_subject(surface),
+        "is never in front of the camera",
+        advice,
+    ))
+}
+
+/// True if some part of a surface can be seen directly.
 fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
     let eye = camera.viewpoint();
     let behind_screen = |point: &DVec3| match view {
@@ -141,23 +172,23 @@ fn in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> bool {
             viewpoint, target, ..
         } => (*point - eye).dot(*target - *viewpoint) > 0.0,
     };
-    match (surface.bounds(), surface.flat()) {
+    match (surface.shape().bounds(), surface.shape().carrier()) {
         (Some(bounds), _) => bounds.corners().iter().any(behind_screen),
-        (None, Some(flat)) => can_be_met(flat, camera, view),
+        (None, Some(flat)) => can_be_hit(flat, camera, view),
         (None, None) => true,
     }
 }
 
-/// Whether some ray through the window meets a plane, behind the screen if there is one.
-fn can_be_met(flat: &Flat, camera: &Camera, view: &View) -> bool {
-    // The eye's height above the plane, and how fast the rays through the corners fall towards it.
+/// True if some ray through the window hits a plane, behind the screen if there is one.
+fn can_be_hit(flat: &Flat, camera: &Camera, view: &View) -> bool {
+    // The eye's height above the plane, and how fast the corner rays approach the plane.
     let height = flat.normal.dot(camera.viewpoint() - flat.point);
     let falls = camera
         .corners()
         .map(|corner| -flat.normal.dot(corner) * height.signum());
     let steepest = falls.into_iter().fold(f64::MIN, f64::max);
     let flattest = falls.into_iter().fold(f64::MAX, f64::min);
-    // Rays reach the screen when they have come as far as the window's corners.
+    // Corner rays reach the screen at parameter 1.
     let behind_screen = match view {
         View::Screen { .. } => flattest <= height.abs(),
         View::LookAt { .. } => true,
@@ -165,18 +196,19 @@ fn can_be_met(flat: &Flat, camera: &Camera, view: &View) -> bool {
     height != 0.0 && steepest > 0.0 && behind_screen
 }
 
-fn never_in_front(surface: &dyn Surface, view: &View) -> Option<Problem> {
-    let what = "is never in front of the camera";
-    match view {
-        View::Screen { at, .. } => {
-            let problem = warning(surface, what, "wholly on the viewer's side of the screen")?;
-            let z = Value::Number(at.z);
-            let help = format!("what is before the screen, at z > {z}, is not drawn at all");
-            Some(problem.help(help))
-        }
-        View::LookAt { .. } => {
-            let problem = warning(surface, what, "not seen directly")?;
-            Some(problem.help("it can still be seen in mirrors and cast shadows"))
-        }
-    }
+/// Reports two surfaces that share an area.
+fn coincides(pair: Coincidence, scene: &Scene) -> Problem {
+    let [earlier, later] = [pair.earlier, pair.later].map(|it| &*scene.surfaces[it]);
+    let verb = match later.shape().carrier() {
+        Some(_) => "lies in the same plane as",
+        None => "coincides with",
+    };
+    let label = if pair.is_exact {
+        "where they overlap, the first in the file is visible"
+    } else {
+        "where they overlap, rounding decides which is visible"
+    };
+    let help = "move one of them slightly if both should be visible";
+    let what = format!("{verb} {}", title(&surface_subject(earlier)));
+    warning(&surface_subject(later), &what, [label, help])
 }

@@ -1,76 +1,61 @@
-//! Surfaces that lie in the same place.
+//! Pairs of surfaces that share an area.
 
 use glam::DVec3;
 
-use super::check::{title, warning};
-use crate::accel::{Overlaps, supports};
-use crate::language::Problem;
 use crate::math::Bounds;
 use crate::scene::Scene;
 use crate::surface::Surface;
+use crate::visibility::{Overlaps, carriers};
 
-/// How much of its own size is taken for rounding when surfaces share a plane or an area.
+/// Relative tolerance within which surfaces share a plane or an area.
 ///
-/// Smaller, and tiles at rounded decimals are remarked on; larger, and a real overlap is not.
+/// Smaller, and tiles at rounded decimals are reported; larger, and a real overlap is not.
 const SHARED_TOLERANCE: f64 = 1e-9;
 
-/// Surfaces on one sheet, or nearly, that share an area.
-pub(super) fn coincident(scene: &Scene) -> Vec<Problem> {
-    let supports = supports(&scene.surfaces);
-    let boxes: Vec<_> = scene
-        .surfaces
-        .iter()
-        .map(|surface| near(&**surface))
-        .collect();
-    let overlaps = Overlaps::new(&boxes);
-    let endless: Vec<_> = (0..boxes.len())
-        .filter(|index| boxes[*index].is_none())
-        .collect();
-    let mut problems = Vec::new();
-    for (index, later) in scene.surfaces.iter().enumerate() {
-        let same = |earlier: &usize| supports[*earlier] == supports[index];
-        let meets = |earlier: &usize| {
-            let other = &*scene.surfaces[*earlier];
-            (same(earlier) || nearly_one_plane(other, &**later)) && overlap(other, &**later)
-        };
-        let first = match &boxes[index] {
-            None => (0..index).find(meets),
-            Some(bounds) => {
-                let bounded = overlaps.first_before(index, bounds, |earlier| meets(&earlier));
-                let before = endless
-                    .iter()
-                    .take_while(|earlier| **earlier < index)
-                    .copied();
-                before
-                    .take_while(|earlier| bounded.is_none_or(|first| *earlier < first))
-                    .find(meets)
-                    .or(bounded)
-            }
-        };
-        let Some(earlier) = first else { continue };
-        let other = &scene.surfaces[earlier];
-        let name = other.common().name.as_deref();
-        let other_title = title(&other.describe(), name);
-        let what = match later.flat() {
-            Some(_) => format!("lies in the same plane as {other_title}"),
-            None => format!("coincides with {other_title}"),
-        };
-        let label = if same(&earlier) {
-            "where they overlap, the first in the file is seen"
-        } else {
-            "where they overlap, rounding decides which is seen"
-        };
-        let problem = warning(&**later, &what, label);
-        let help = "move one of them a little if both are to be seen";
-        problems.extend(problem.map(|problem| problem.help(help)));
-    }
-    problems
+/// Two surfaces that share an area, by their places in the scene file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coincidence {
+    pub(super) earlier: usize,
+    pub(super) later: usize,
+    /// True if they share one carrier; otherwise their planes are equal but for rounding.
+    pub(super) is_exact: bool,
 }
 
-/// The box around a surface that has an end, and around all that nearly coincides with it.
-fn near(surface: &dyn Surface) -> Option<Bounds> {
-    let Bounds { min, max } = surface.bounds()?;
-    // What is nearly in its plane is nearer than that times the distance of both.
+/// For each surface, the first one before it that shares an area with it.
+pub(super) fn coincidences(scene: &Scene) -> Vec<Coincidence> {
+    let surfaces = &scene.surfaces;
+    let carriers = carriers(surfaces);
+    let boxes: Vec<_> = surfaces.iter().map(|it| padded_bounds(&**it)).collect();
+    let overlaps = Overlaps::new(&boxes);
+    let unbounded: Vec<_> = (0..boxes.len()).filter(|it| boxes[*it].is_none()).collect();
+    let first = |later: usize| {
+        let is_exact = |earlier: usize| carriers[earlier] == carriers[later];
+        let coincide = |earlier: &usize| {
+            let [one, other] = [*earlier, later].map(|it| &*surfaces[it]);
+            (is_exact(*earlier) || nearly_one_plane(one, other)) && overlap(one, other)
+        };
+        let earlier = match &boxes[later] {
+            None => (0..later).find(coincide),
+            Some(bounds) => {
+                let bounded = overlaps.first_before(later, bounds, |earlier| coincide(&earlier));
+                let end = bounded.unwrap_or(later);
+                let before = unbounded.iter().copied().take_while(|it| *it < end);
+                before.into_iter().find(coincide).or(bounded)
+            }
+        }?;
+        Some(Coincidence {
+            earlier,
+            later,
+            is_exact: is_exact(earlier),
+        })
+    };
+    (0..surfaces.len()).filter_map(first).collect()
+}
+
+/// Bounds of a surface and of all that nearly coincides with it; `None` if it is unbounded.
+fn padded_bounds(surface: &dyn Surface) -> Option<Bounds> {
+    let Bounds { min, max } = surface.shape().bounds()?;
+    // A point nearly in its plane is closer than the tolerance times the distance of both.
     let margin = DVec3::splat(2.0 * SHARED_TOLERANCE * (max - min).element_sum());
     Some(Bounds {
         min: min - margin,
@@ -78,9 +63,9 @@ fn near(surface: &dyn Surface) -> Option<Bounds> {
     })
 }
 
-/// Whether two planes are the same but for rounding.
+/// True if two planes are equal but for rounding.
 fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let (Some(a), Some(b)) = (a.flat(), b.flat()) else {
+    let (Some(a), Some(b)) = (a.shape().carrier(), b.shape().carrier()) else {
         return false;
     };
     let way = b.point - a.point;
@@ -88,40 +73,38 @@ fn nearly_one_plane(a: &dyn Surface, b: &dyn Surface) -> bool {
         && a.normal.dot(way).abs() <= SHARED_TOLERANCE * way.length()
 }
 
-/// Whether two surfaces in one plane share an area.
-///
-/// Two convex outlines are apart if one of their edges has one of them on either side (the
-/// separating axis theorem).
+/// True if two surfaces on one carrier share an area.
 fn overlap(a: &dyn Surface, b: &dyn Surface) -> bool {
-    let Some(normal) = a.flat().map(|flat| flat.normal) else {
-        // Round surfaces on one sheet are the same.
+    let Some(normal) = a.shape().carrier().map(|plane| plane.normal) else {
+        // Round surfaces on one carrier are equal.
         return true;
     };
-    let (a, b) = (a.outline(), b.outline());
+    let (a, b) = (a.shape().outline(), b.shape().outline());
     if a.is_empty() || b.is_empty() {
-        // One of them has no end.
+        // One of them is unbounded.
         return true;
     }
-    let edges = |corners: &[DVec3]| {
+    let edges = |corners: &[DVec3]| -> Vec<_> {
         let next = corners.iter().cycle().skip(1);
-        let edges = corners.iter().zip(next).map(|(from, to)| *to - *from);
-        edges.collect::<Vec<_>>()
+        corners
+            .iter()
+            .zip(next)
+            .map(|(from, to)| *to - *from)
+            .collect()
     };
-    let all_edges = edges(&a).into_iter().chain(edges(&b));
-    !all_edges
-        .into_iter()
-        .any(|edge| apart(&a, &b, normal.cross(edge)))
+    // Separating axis theorem: two convex outlines are apart if an edge separates them.
+    let mut edges = edges(&a).into_iter().chain(edges(&b));
+    !edges.any(|edge| apart(&a, &b, normal.cross(edge)))
 }
 
-/// Whether the shadows of two outlines on an axis share no more than rounding.
+/// True if the projections of two outlines on an axis share no more than rounding.
 fn apart(a: &[DVec3], b: &[DVec3], axis: DVec3) -> bool {
-    let span = |corners: &[DVec3]| {
+    let [(a_low, a_high), (b_low, b_high)] = [a, b].map(|corners| {
         let places = corners.iter().map(|corner| axis.dot(*corner));
         places.fold((f64::MAX, f64::MIN), |(low, high), place| {
             (low.min(place), high.max(place))
         })
-    };
-    let ((a_low, a_high), (b_low, b_high)) = (span(a), span(b));
+    });
     let shared = a_high.min(b_high) - a_low.max(b_low);
     shared <= SHARED_TOLERANCE * (a_high - a_low).min(b_high - b_low)
 }

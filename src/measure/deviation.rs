@@ -1,32 +1,55 @@
-//! How far a picture is from what it should be.
+//! Difference of two pictures, channel by channel.
 
 use serde::Serialize;
 
-use super::change::shown;
-use super::{Appearance, Change, similarity};
+use super::{Appearance, similarity};
 use crate::film::Film;
 
-/// How far a picture is from a reference of the same size; what is brighter than the largest code
-/// value is shown as that, and compared as that.
+/// Largest code value of 8 bits.
+const LARGEST_CODE: f64 = 255.0;
+
+/// Change from one picture to another, in code values of 8 bits before rounding.
+///
+/// Intensities outside of 0 to 1 are compared as they are shown: limited to that range.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Change {
+    /// Share of the pixels of which a channel differs by more than half a code value.
+    pub pixels: f64,
+    /// Largest difference of a channel, in code values.
+    pub largest: f64,
+}
+
+/// Difference of a picture from a reference of the same size.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Deviation {
-    /// The largest error of a channel, and how many pixels are off by more than half a code value.
+    /// Largest error, and share of the pixels off by more than half a code value.
     #[serde(flatten)]
     pub change: Change,
-    /// The root of the mean square of all channels' errors; 1 is the largest code value.
+    /// Root mean square error of all channels; 1 is the largest code value.
     pub rmse: f64,
-    /// The peak signal-to-noise ratio in decibels; `None` if there is no error.
+    /// Peak signal-to-noise ratio in decibels; `None` without error.
     pub psnr: Option<f64>,
-    /// The mean structural similarity ([`similarity`]); 1 is the same.
+    /// Mean structural similarity ([`similarity`]); 1 for equal pictures.
     pub ssim: f64,
-    /// How different the pictures look ([`Appearance::flip`]), from 0 to 1; 0 is the same.
+    /// Perceived difference ([`Appearance::flip`]), from 0 (none) to 1.
     pub flip: f64,
 }
 
-impl Deviation {
-    /// How far `picture` is from `reference`, of which an eye sees `appearance`.
+impl Change {
+    /// Compares two pictures of the same size.
     #[must_use]
-    pub fn of(picture: &Film, reference: &Film, appearance: &Appearance) -> Self {
+    pub fn between(before: &Film, after: &Film) -> Self {
+        Self {
+            pixels: share(before, after, |error| error > 0.5),
+            largest: largest_errors(before, after).fold(0.0, f64::max),
+        }
+    }
+}
+
+impl Deviation {
+    /// Compares `picture` with `reference`, whose appearance is known already.
+    #[must_use]
+    pub(super) fn of(picture: &Film, reference: &Film, appearance: &Appearance) -> Self {
         let rmse = rmse(picture, reference);
         Self {
             change: Change::between(reference, picture),
@@ -38,23 +61,72 @@ impl Deviation {
     }
 }
 
-/// The root mean square of the differences of all channels; 1 is the largest code value.
+/// Share of the pixels that differ by at most `limit`, where 1 is the largest code value.
+pub(super) fn share_within(before: &Film, after: &Film, limit: f64) -> f64 {
+    let codes = LARGEST_CODE * limit;
+    share(before, after, |error| error <= codes)
+}
+
+/// Share of the pixels whose largest error satisfies a condition; zero without pixels.
+fn share(before: &Film, after: &Film, counts: impl Fn(f64) -> bool) -> f64 {
+    let [mut counted, mut all] = [0.0, 0.0];
+    for error in largest_errors(before, after) {
+        counted += f64::from(counts(error));
+        all += 1.0;
+    }
+    counted / f64::max(all, 1.0)
+}
+
+/// Root mean square difference of all channels; 1 is the largest code value.
 pub(super) fn rmse(picture: &Film, reference: &Film) -> f64 {
-    let pairs = picture.pixels().iter().zip(reference.pixels());
-    let squares = pairs.map(|(picture, reference)| {
-        let [picture, reference] = [picture, reference].map(|pixel| pixel.channels().map(shown));
-        let channels = picture.iter().zip(&reference);
-        channels.map(|(a, b)| (a - b) * (a - b)).sum::<f64>()
-    });
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
     let count = (3 * picture.pixels().len()).max(1) as f64;
-    (squares.sum::<f64>() / count).sqrt() / shown(1.0)
+    let sum: f64 = squared_errors(picture, reference).sum();
+    (sum / count).sqrt() / LARGEST_CODE
+}
+
+/// Largest channel difference of each pixel, in code values.
+pub(super) fn largest_errors(one: &Film, other: &Film) -> impl Iterator<Item = f64> {
+    errors(one, other).map(|channels| channels.into_iter().fold(0.0, f64::max))
+}
+
+/// Sum of the squared channel differences of each pixel, in code values squared.
+pub(super) fn squared_errors(one: &Film, other: &Film) -> impl Iterator<Item = f64> {
+    errors(one, other).map(|channels| channels.iter().map(|error| error * error).sum())
+}
+
+/// Absolute channel differences of each pixel, in code values.
+fn errors(one: &Film, other: &Film) -> impl Iterator<Item = [f64; 3]> {
+    let shown = |intensity: f64| LARGEST_CODE * intensity.clamp(0.0, 1.0);
+    let pairs = one.pixels().iter().zip(other.pixels());
+    pairs.map(move |(one, other)| {
+        let [one, other] = [one, other].map(|pixel| pixel.channels().map(shown));
+        [0, 1, 2].map(|channel| f64::abs(one[channel] - other[channel]))
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::Rgb;
+
+    #[test]
+    fn what_cannot_be_seen_is_no_change() {
+        let mut before = Film::new(4, 1).expect("memory");
+        let mut after = before.clone();
+        let code = |code: f64| Rgb::new(0.0, code / 255.0, 0.0);
+        let pixels = [[9.0, 9.5], [9.0, 9.501], [0.0, 40.0], [300.0, 400.0]];
+        for (index, [from, to]) in pixels.into_iter().enumerate() {
+            before.pixels_mut()[index] = code(from);
+            after.pixels_mut()[index] = code(to);
+        }
+        let change = Change::between(&before, &after);
+        assert_eq!(change.pixels, 0.5);
+        assert!((change.largest - 40.0).abs() < 1e-9, "{change:?}");
+        for (codes, share) in [(0.0, 0.25), (0.5001, 0.5), (39.0, 0.75), (41.0, 1.0)] {
+            assert_eq!(share_within(&before, &after, codes / 255.0), share);
+        }
+    }
 
     #[test]
     fn one_wrong_channel_of_four_pixels() {

@@ -1,33 +1,31 @@
-//! Filters of pictures that go along rows and columns one after the other.
+//! Separable filters of pictures.
 
 use rayon::prelude::*;
 
-/// Numbers in rows of one length.
+/// Numbers in rows of equal length.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plane {
     pub values: Vec<f64>,
     pub width: usize,
 }
 
-/// Weights of a value in the middle and of as many on each side of it; those above zero add up to 1, and
-/// those below to −1.
+/// Weights around a value in the middle; positive ones add up to 1, negative ones to −1.
 #[derive(Debug, Clone)]
 pub(super) struct Kernel {
     weights: Vec<f64>,
     border: Border,
 }
 
-/// What is beyond the borders of a plane.
+/// Values beyond the borders of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Border {
-    /// The outermost values again and again.
+    /// The outermost values.
     Same,
-    /// Zeros.
     Zero,
 }
 
 impl Kernel {
-    /// The kernel with weights in proportion to these.
+    /// Kernel with weights in proportion to these.
     pub(super) fn new(weights: &[f64], border: Border) -> Self {
         let sum = |sign: f64| weights.iter().map(|it| (sign * it).max(0.0)).sum::<f64>();
         let [above, below] = [1.0, -1.0].map(sum);
@@ -38,7 +36,7 @@ impl Kernel {
         }
     }
 
-    /// A plane whose rows are filtered.
+    /// Filters the rows of a plane.
     pub(super) fn across(&self, plane: &Plane) -> Plane {
         let reach = self.weights.len() / 2;
         plane.mapped(|row, sums| {
@@ -53,7 +51,7 @@ impl Kernel {
         })
     }
 
-    /// A plane whose columns are filtered.
+    /// Filters the columns of a plane.
     pub(super) fn down(&self, plane: &Plane) -> Plane {
         let (reach, zeros) = (self.weights.len() / 2, vec![0.0; plane.width]);
         let last = (plane.values.len() / plane.width.max(1)).saturating_sub(1);
@@ -69,9 +67,9 @@ impl Kernel {
         })
     }
 
-    /// The weighted sums of rows, of which there are as many as weights.
+    /// Adds up weighted rows, one for each weight.
     fn add_up(&self, rows: &[&[f64]], sums: &mut [f64]) {
-        /// So many sums fit in the registers of a processor.
+        /// Sums that fit in the registers of a processor.
         const BLOCK: usize = 16;
         let (blocks, rest) = sums.as_chunks_mut::<BLOCK>();
         let done = BLOCK * blocks.len();
@@ -97,7 +95,7 @@ impl Plane {
         &self.values[row * self.width..][..self.width]
     }
 
-    /// A plane of the same size, whose rows this fills in.
+    /// A plane of the same size with rows filled in parallel.
     fn mapped(&self, fill: impl Fn(usize, &mut [f64]) + Sync) -> Self {
         let mut values = vec![0.0; self.values.len()];
         let rows = values.par_chunks_mut(self.width.max(1)).enumerate();

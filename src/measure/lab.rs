@@ -1,17 +1,17 @@
-//! Colours as eyes tell them apart.
+//! Perceptual colours.
 
 use glam::{DMat3, DVec3};
 
 use crate::film::Transfer;
 
-/// CIE L\*a\*b\* of 1976, of which a\* and b\* count less in the dark (Hunt 1952).
+/// CIE L\*a\*b\* (1976), with a\* and b\* reduced in the dark (Hunt 1952).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lab([f64; 3]);
 
 impl Lab {
-    /// A colour by CIE X, Y and Z, of which each is 1 for white.
+    /// Colour of CIE X, Y and Z, each 1 for white.
     pub(super) fn of_xyz(xyz: DVec3) -> Self {
-        /// Darker than the cube of this, the root is a straight line.
+        /// Cube root below which the curve is a straight line.
         const DARK: f64 = 6.0 / 29.0;
         let [x, y, z] = xyz.to_array().map(|it| {
             if it > DARK * DARK * DARK {
@@ -25,21 +25,20 @@ impl Lab {
         Self([lightness, 500.0 * (x - y) * hunt, 200.0 * (y - z) * hunt])
     }
 
-    /// How different two colours are, even very different ones (`HyAB`; Abasi, Amani Tehran and Fairchild 2020).
+    /// Difference of two colours, also large ones (`HyAB`; Abasi, Amani Tehran and Fairchild 2020).
     pub(super) fn difference(self, other: Self) -> f64 {
         let [lightness, a, b] = [0, 1, 2].map(|axis| self.0[axis] - other.0[axis]);
         lightness.abs() + (a * a + b * b).sqrt()
     }
 
-    /// The difference of green and blue: no colours of sRGB are more different.
+    /// Largest difference of sRGB colours: that of green and blue.
     pub(super) fn largest_difference() -> f64 {
         let [green, blue] = [DVec3::Y, DVec3::Z].map(|rgb| Self::of_xyz(xyz_of_rgb() * rgb));
         green.difference(blue)
     }
 }
 
-/// From linear sRGB to CIE X, Y and Z of which each is 1 for white, by the chromaticities of the primaries
-/// and of white in IEC 61966-2-1:1999.
+/// Matrix from linear sRGB to CIE X, Y and Z, each 1 for white (IEC 61966-2-1:1999).
 pub(super) fn xyz_of_rgb() -> DMat3 {
     let primaries =
         DMat3::from_cols_array_2d(&[[0.64, 0.33, 0.03], [0.30, 0.60, 0.10], [0.15, 0.06, 0.79]]);
@@ -48,10 +47,9 @@ pub(super) fn xyz_of_rgb() -> DMat3 {
     DMat3::from_diagonal(white.recip()) * scaled
 }
 
-/// The intensity that a screen of sRGB gives a value; there is none below 0 or above 1.
+/// Intensity of an sRGB value, limited to 0 to 1, within 3e-8 by linear interpolation.
 ///
-/// It goes straight between points of the curve, which is off by 3e-8 at most, and takes a twentieth of
-/// the time of a power.
+/// Twenty times as fast as a power.
 pub(super) fn intensity_of_value() -> impl Fn(f64) -> f64 + Sync {
     const STEPS: u16 = 16 * 255;
     let steps = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));

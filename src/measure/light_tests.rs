@@ -1,31 +1,30 @@
-//! How much asking each light takes.
+//! Occlusion tests of each light.
 
 use serde::Serialize;
 
-use super::Thing;
+use super::scene_item::SceneItem;
 use crate::plan::Cause;
 use crate::render::Counts;
 use crate::scene::Scene;
 
-/// How many surfaces were asked because of one light or lamp.
+/// Occlusion tests of a light or lamp.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LightTests {
+pub(crate) struct LightTests {
     /// The light, or the lamp.
-    pub light: Thing,
-    /// Surfaces that were asked whether they hide it, or a point of it.
-    pub occlusion_tests: u64,
+    pub(crate) light: SceneItem,
+    /// Surfaces tested for hiding it, or a point of it.
+    pub(crate) occlusion_tests: u64,
 }
 
 impl LightTests {
-    /// Those of all lights of a scene in file order, and after them of all its lamps.
-    #[must_use]
-    pub fn all(scene: &Scene, counts: &Counts) -> Vec<Self> {
+    /// Tests of all lights in file order, then of all lamps.
+    pub(crate) fn all(scene: &Scene, counts: &Counts) -> Vec<Self> {
         let lights = scene.lights.iter().map(Cause::of_light);
         let lamps = scene.surfaces.iter().filter(|it| it.lamp().is_some());
         let all = lights.chain(lamps.map(|lamp| Cause::of_surface(&**lamp)));
         all.enumerate()
             .map(|(number, cause)| Self {
-                light: Thing::of(&cause, &scene.sources),
+                light: SceneItem::of(&cause, &scene.sources),
                 occlusion_tests: counts.occlusion_tests_of(number),
             })
             .collect()

@@ -1,7 +1,7 @@
 //! Answers about scenes and pictures.
 
+mod aliases;
 mod appearance;
-mod change;
 mod check;
 mod clock;
 mod coincident;
@@ -15,24 +15,27 @@ mod light_tests;
 mod plot;
 mod price_list;
 mod prices;
+mod scene_item;
 mod similarity;
+mod text;
 mod transcript;
 mod without;
 
 pub use appearance::Appearance;
-pub use change::Change;
 pub use check::check;
 pub use clock::Timing;
 pub use cost::{
-    Best, Blame, Cost, DIALS, Dial, Doubt, Ladder, Law, Limit, Measured, Metric, Pictures,
-    Reference, Rung, Spot, SpotShare, SurfaceShare, Trade, Variation, cost, effects_of, exponent,
+    Best, Breakdown, Cost, CostOptions, Feature, FeatureShare, Law, Limit, Measurement, OwnError,
+    Reference, Step, SurfaceShare, Sweep, Trade, Uncertainty, Variation, cost, exponent,
 };
-pub use deviation::Deviation;
-pub use explain::{EffectRow, Explanation, SurfaceRow, TextureRow, Thing, Work, explain};
-pub use light_row::{LightRow, NoShadow};
-pub use light_tests::LightTests;
+pub use deviation::{Change, Deviation};
+pub use explain::effects_of;
+pub(crate) use explain::{EffectRow, Explanation, explain};
+pub(crate) use light_row::{LightRow, NoShadow};
+pub(crate) use light_tests::LightTests;
 pub use plot::{Curve, Figure, Panel, Scale};
 pub use prices::{Effort, Price, Prices, prices};
+pub(crate) use scene_item::SceneItem;
 pub use similarity::similarity;
-pub use transcript::{LightStep, Met, PixelStory, Step, transcript};
+pub(crate) use transcript::{HitReport, LightReport, PixelReport, RayReport, transcript};
 pub use without::{round_trip, without};

@@ -1,127 +1,121 @@
-//! The prices of effects as text.
+//! Costs of effects as text.
 
 use std::fmt;
-use std::fmt::Write;
 
-use super::clock::decimals;
-use super::{Effort, Price, Prices, Timing};
+use super::prices::{Effort, Price, Prices};
+use super::text::aligned;
 use crate::language::joined;
+use crate::measure::Timing;
 use crate::plan::Effect;
 
+/// Meaning of the columns of the list.
+const LEGEND: &str = "  time     processor time of one thread
+  ratio    time relative to the complete scene
+  rays     rays of all kinds
+  pixels   pixels that change by more than half a code value of 255
+  largest  largest change of a channel, in code values of 255
+";
+
 impl fmt::Display for Prices {
-    /// The list of effects, what simulating everything costs, and both in words.
+    /// The list of effects with its legend, and the cost of simulating everything.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (list, elision) = (self.list(), self.elision());
-        write!(out, "{list}\n{elision}")
+        let (list, everything) = (self.list(), self.everything_list());
+        write!(out, "{list}\n{LEGEND}\n{everything}")
     }
 }
 
 impl Prices {
-    /// A table of what is switched off and what that saves and changes, and the table in words.
+    /// Table and sentences about the scene without each effect.
     #[must_use]
     pub fn list(&self) -> String {
-        let mut text = format!(
-            "  {:<15}{:>20}{:>9}{:>14}{:>11}{:>14}\n",
-            "without", "time", "takes", "rays", "pixels", "by at most"
-        );
-        line(&mut text, "(as it is)", &self.whole, "", "", "");
-        for price in &self.without {
-            let takes = format!("× {:.2}", price.takes);
-            let pixels = percent(price.change.pixels);
-            let most = format!("{:.1} codes", price.change.largest);
-            let title = price.effect.title();
-            line(&mut text, title, &price.effort, &takes, &pixels, &most);
-        }
-        text.push('\n');
-        for price in &self.without {
-            text.push_str(&price.in_words(&self.whole));
-            text.push('\n');
-        }
+        let none = [String::new(), String::new(), String::new()];
+        let row = |title: &str, effort: &Effort, [ratio, pixels, largest]: [String; 3]| {
+            let (time, rays) = (effort.time.to_string(), effort.counts.rays().to_string());
+            vec![format!("  {title}"), time, ratio, rays, pixels, largest]
+        };
+        let mut rows = vec![
+            ["  without", "time", "ratio", "rays", "pixels", "largest"]
+                .map(str::to_owned)
+                .to_vec(),
+            row("(nothing)", &self.whole, none),
+        ];
+        rows.extend(self.without.iter().map(|price| {
+            let ratio = format!("× {:.2}", price.takes);
+            let largest = format!("{:.1}", price.change.largest);
+            let cells = [ratio, percent(price.change.pixels), largest];
+            row(price.effect.title(), &price.effort, cells)
+        }));
+        let mut lines = aligned("<>>>>>", &rows);
+        lines.push(String::new());
+        lines.extend(self.without.iter().map(|price| price.in_words(&self.whole)));
         if self.without.is_empty() {
-            text.push_str("The scene calls for no effect, so there is none to be switched off.\n");
+            lines.push("The scene calls for no effect.".to_owned());
         }
-        text
+        lines.join("\n") + "\n"
     }
 
-    /// A table of what simulating everything costs, and the table in words.
-    #[must_use]
-    pub fn elision(&self) -> String {
-        let mut text = format!(
-            "  {:<15}{:>20}{:>9}{:>14}{:>14}{:>8}\n",
-            "simulated", "time", "takes", "shadow rays", "shadow tests", "a ray"
-        );
-        let takes = self.everything.time.over(self.whole.time);
-        let rows = [
-            ("called for", &self.whole, String::new()),
-            ("everything", &self.everything, format!("× {takes:.2}")),
+    /// Table and sentence about the scene with everything simulated.
+    fn everything_list(&self) -> String {
+        let heads = [
+            "  simulated",
+            "time",
+            "ratio",
+            "shadow rays",
+            "tests",
+            "tests / ray",
         ];
-        for (what, effort, takes) in rows {
+        let row = |title: &str, effort: &Effort, ratio: String| {
             let each = effort.tests_per_shadow_ray();
-            let each = each.map_or_else(|| "-".to_owned(), |each| format!("{each:.2}"));
-            // Writing to a String cannot fail.
-            let _ = writeln!(
-                text,
-                "  {what:<15}{:>20}{takes:>9}{:>14}{:>14}{each:>8}",
+            vec![
+                format!("  {title}"),
                 effort.time.to_string(),
-                effort.shadow_rays(),
-                effort.counts.occlusion_tests,
-            );
-        }
-        let _ = writeln!(
-            text,
-            "\nSimulating everything {}, and the picture is the same.",
-            how_long(self.everything.time, self.whole.time)
-        );
-        text
+                ratio,
+                effort.shadow_rays().to_string(),
+                effort.counts.occlusion_tests.to_string(),
+                each.map_or("-".to_owned(), |each| format!("{each:.2}")),
+            ]
+        };
+        let ratio = self.everything.time.over(self.whole.time);
+        let rows = [
+            heads.map(str::to_owned).to_vec(),
+            row("what is called for", &self.whole, String::new()),
+            row("everything", &self.everything, format!("× {ratio:.2}")),
+        ];
+        let lines = aligned("<>>>>>", &rows).join("\n");
+        let words = compared(self.everything.time, self.whole.time);
+        format!("{lines}\n\nEverything simulated: {words}; the picture is the same.\n")
     }
 }
 
 impl Price {
-    /// The price as a sentence.
+    /// Saving and change as a sentence.
     fn in_words(&self, whole: &Effort) -> String {
         let gone = [&[self.effect], &self.also_off[..]].concat();
         let gone: Vec<_> = gone.into_iter().map(in_a_sentence).collect();
         let change = match self.change.pixels {
             0.0 => "no pixel changes".to_owned(),
-            share => format!("{} of its pixels change", percent(share)),
+            share => format!("{} of the pixels change", percent(share)),
         };
-        format!(
-            "Without {} this picture {}; {change}.",
-            joined(&gone, "and"),
-            how_long(self.effort.time, whole.time)
-        )
+        let (gone, time) = (joined(&gone, "and"), compared(self.effort.time, whole.time));
+        format!("Without {gone}: {time}; {change}.")
     }
 }
 
-impl fmt::Display for Timing {
-    /// Median and deviation in milliseconds, to three digits of the median.
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let median = 1000.0 * self.median;
-        let decimals = decimals(median);
-        write!(out, "{median:.decimals$}")?;
-        if let Some(deviation) = self.deviation {
-            write!(out, " ± {:.decimals$}", 1000.0 * deviation)?;
-        }
-        out.write_str(" ms")
-    }
-}
-
-fn line(text: &mut String, title: &str, effort: &Effort, takes: &str, pixels: &str, most: &str) {
-    let (time, rays) = (effort.time.to_string(), effort.counts.rays());
-    let line = format!("  {title:<15}{time:>20}{takes:>9}{rays:>14}{pixels:>11}{most:>14}");
-    text.push_str(line.trim_end());
-    text.push('\n');
-}
-
-/// How long something takes beside something else; about as long if the runs show no difference.
-fn how_long(this: Timing, other: Timing) -> String {
+/// A time relative to another; equal if the runs show no difference.
+fn compared(this: Timing, other: Timing) -> String {
+    let ratio = this.over(other);
     if this.is_like(other) {
-        return "takes about as long".to_owned();
+        "as fast".to_owned()
+    } else if ratio < 1.0 {
+        format!("{:.0} % faster", 100.0 * (1.0 - ratio))
+    } else if ratio < 2.0 {
+        format!("{:.0} % slower", 100.0 * (ratio - 1.0))
+    } else {
+        format!("{ratio:.2} × the time")
     }
-    format!("takes {:.2} times as long", this.over(other))
 }
 
-/// An effect as a sentence has it.
+/// An effect with its article.
 fn in_a_sentence(effect: Effect) -> String {
     let article = match effect {
         Effect::TransferCurve => "the ",
@@ -130,6 +124,7 @@ fn in_a_sentence(effect: Effect) -> String {
     article.to_owned() + effect.title()
 }
 
+/// A share in percent, to one digit behind the point.
 fn percent(share: f64) -> String {
     match 100.0 * share {
         0.0 => "0 %".to_owned(),

@@ -1,4 +1,4 @@
-//! What each effect of a scene costs, and what it does to the picture.
+//! Cost of each effect of a scene, and its influence on the picture.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;
@@ -8,43 +8,43 @@ use super::{Change, Timing, effects_of, without};
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::plan::{Effect, Scope};
-use crate::render::{Counts, STACK, observed};
+use crate::render::{Counts, Render, STACK};
 use crate::scene::Scene;
 
-/// What the effects of a scene cost.
+/// Costs of the effects of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Prices {
-    /// How often everything was drawn; times are medians of so many runs.
+    /// Number of runs, of which times are medians.
     pub runs: u32,
     /// The scene as it is.
     pub whole: Effort,
-    /// The scene with nothing left out that changes nothing; its picture is the same.
+    /// The scene without lossless shortcuts; its picture is the same.
     pub everything: Effort,
     /// The scene without each effect that it calls for.
     pub without: Vec<Price>,
 }
 
-/// What it takes to draw a scene.
+/// Time and work of a picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Effort {
-    /// Processor time of one thread, in seconds; planning is a part of it, reading the scene is not.
+    /// Processor time of one thread, in seconds, planning included.
     pub time: Timing,
-    /// The work in numbers, which are the same in every run.
+    /// Work in numbers, equal in every run.
     pub counts: Counts,
 }
 
-/// What an effect costs: what it takes to draw the scene without it.
+/// Cost of an effect.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Price {
-    /// What is switched off.
+    /// The effect that is switched off.
     pub effect: Effect,
-    /// What goes with it: other effects that are no longer called for.
+    /// Other effects that are no longer called for without it.
     pub also_off: Vec<Effect>,
-    /// What it takes to draw the scene without it.
+    /// Time and work without it.
     pub effort: Effort,
-    /// How many times as long as the whole scene that takes.
+    /// Ratio of that time to the time of the whole scene.
     pub takes: f64,
-    /// How the picture without it differs.
+    /// Change of the picture without it.
     pub change: Change,
 }
 
@@ -55,7 +55,7 @@ impl Effort {
         self.counts.shadow_rays + self.counts.lamp_rays
     }
 
-    /// Surfaces that are asked for each such ray, on average; `None` without any.
+    /// Mean number of surfaces tested for each of them; `None` without any.
     #[must_use]
     pub fn tests_per_shadow_ray(&self) -> Option<f64> {
         #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
@@ -65,37 +65,39 @@ impl Effort {
     }
 }
 
-/// Measures what the effects of a scene cost: draws it as it is, with everything simulated, and
-/// without each effect that its plan says is on, all of them in turn, as often as `runs` says,
-/// and once at least.
+/// Measures the cost of each effect: renders the scene as it is, with everything simulated, and
+/// without each effect that is on, in turn, at least once.
 ///
-/// `progress` is told how many of how many pictures are drawn.
+/// `progress` gets the number of pictures rendered, and of all.
 ///
 /// # Errors
-/// Refuses what [`observed`] and [`without`] refuse.
+/// As [`observed`] and [`without`].
 ///
 /// # Panics
-/// If simulating everything changes the picture, which it must not.
+/// If simulating everything changes the picture, which is a bug.
 pub fn prices(
     scene: &Scene,
     runs: u32,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Prices, ValueError> {
     let on = effects_of(scene)?;
-    let scenes = on.iter().map(|effect| without(scene, *effect));
-    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
-    let lesser = scenes.iter().map(|scene| (scene, Scope::CalledFor));
-    let mut subjects: Vec<_> = [Scope::CalledFor, Scope::Everything]
-        .map(|scope| (scene, scope))
-        .into_iter()
-        .chain(lesser)
-        .map(|(scene, scope)| Subject::new(scene, scope))
-        .collect();
+    let lesser = on.iter().map(|effect| without(scene, *effect));
+    let lesser = lesser.collect::<Result<Vec<_>, _>>()?;
+    let subject = |scene| Subject {
+        scene,
+        scope: Scope::CalledFor,
+        seconds: Vec::new(),
+        counts: Counts::default(),
+        change: Change::default(),
+    };
+    let mut subjects = vec![subject(scene), subject(scene)];
+    subjects[1].scope = Scope::Everything;
+    subjects.extend(lesser.iter().map(subject));
     let runs = runs.max(1);
     let all = runs as usize * subjects.len();
     let pool = one_thread()?;
     // Not measured: the first picture also fetches program and textures into the caches.
-    let (picture, _) = pool.install(|| observed::<Counts>(scene, Scope::CalledFor, &|_| ()))?;
+    let (picture, _) = pool.install(|| Render::new(scene).film::<Counts>())?;
     let hash = picture.hash();
     let picture = picture.shown(scene.settings.transfer);
     let mut drawn = 0;
@@ -128,7 +130,7 @@ pub fn prices(
     })
 }
 
-/// A pool of one thread, so that what it does is done in the thread whose time is taken.
+/// A pool of one thread, whose processor time is that of the work.
 fn one_thread() -> Result<ThreadPool, ValueError> {
     let builder = ThreadPoolBuilder::new().num_threads(1).stack_size(STACK);
     builder.build().map_err(|error| {
@@ -137,7 +139,7 @@ fn one_thread() -> Result<ThreadPool, ValueError> {
     })
 }
 
-/// A scene that is drawn again and again.
+/// A scene that is rendered again and again.
 struct Subject<'a> {
     scene: &'a Scene,
     scope: Scope,
@@ -146,20 +148,11 @@ struct Subject<'a> {
     change: Change,
 }
 
-impl<'a> Subject<'a> {
-    fn new(scene: &'a Scene, scope: Scope) -> Self {
-        Self {
-            scene,
-            scope,
-            seconds: Vec::new(),
-            counts: Counts::default(),
-            change: Change::default(),
-        }
-    }
-
-    /// Draws it once more and compares it with a picture as it is shown, that had this hash before.
+impl Subject<'_> {
+    /// Renders it once more and compares it with the shown picture of the whole scene, whose hash
+    /// before that is `hash`.
     fn draw(&mut self, picture: &Film, hash: &str) -> Result<(), ValueError> {
-        let (seconds, drawn) = timed(|| observed(self.scene, self.scope, &|_| ()));
+        let (seconds, drawn) = timed(|| Render::new(self.scene).scope(self.scope).film());
         let (film, counts) = drawn?;
         assert!(
             self.scope == Scope::CalledFor || film.hash() == hash,

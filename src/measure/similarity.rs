@@ -1,10 +1,10 @@
-//! How alike two pictures look.
+//! Structural similarity of pictures: SSIM.
 
 use super::kernel::{Border, Kernel, Plane};
 use crate::film::Film;
 use crate::math::Rgb;
 
-/// Weights of a Gaussian window of 11 pixels with a standard deviation of 1.5, which add up to 1.
+/// Gaussian window of 11 pixels with a standard deviation of 1.5; its weights add up to 1.
 const WINDOW: [f64; 11] = [
     0.001_028_380_1,
     0.007_598_758_1,
@@ -19,13 +19,12 @@ const WINDOW: [f64; 11] = [
     0.001_028_380_1,
 ];
 
-/// The mean structural similarity of two pictures of the same size, from −1 to 1; 1 if they are the
-/// same, and for pictures without pixels.
+/// Mean structural similarity of two pictures of the same size, from −1 to 1 (equal).
 ///
 /// The formula of Wang, Bovik, Sheikh and Simoncelli 2004, "Image quality assessment: from error
-/// visibility to structural similarity", with their window and constants, on luma by the weights of
-/// Rec. 601; at borders on what of the window is inside. It is written out here, because what
-/// libraries there are compare rounded code values or square blocks.
+/// visibility to structural similarity", with their window and constants, on luma by Rec. 601; at
+/// borders on the part of the window that is inside. 1 for pictures without pixels.
+// Written out here, because libraries compare rounded code values or square blocks.
 #[must_use]
 pub fn similarity(one: &Film, other: &Film) -> f64 {
     const STABILIZERS: [f64; 2] = [0.01 * 0.01, 0.03 * 0.03];
@@ -58,7 +57,7 @@ pub fn similarity(one: &Film, other: &Film) -> f64 {
     if x.is_empty() { 1.0 } else { sum / count }
 }
 
-/// How bright each pixel is shown, from 0 to 1.
+/// Luma of each pixel as it is shown, from 0 to 1.
 fn lumas(film: &Film) -> Vec<f64> {
     let luma = |pixel: &Rgb| {
         let [r, g, b] = pixel.channels().map(|channel| channel.clamp(0.0, 1.0));

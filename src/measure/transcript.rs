@@ -1,95 +1,97 @@
-//! How one pixel came by its colour.
+//! Rays of one pixel, one by one.
 
 use serde::Serialize;
+use serde_json::Value;
 
-use super::Thing;
+use super::aliases;
+use super::scene_item::SceneItem;
+use crate::geometry::Hit;
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Cause, Plan, Scope};
-use crate::render::{Arrival, Errors, Probe, RayKind, Tracer, Unfollowed, pixel_color};
+use crate::render::{Arrival, Event, Probe, RayKind, Tracer, Unfollowed, pixel_color};
 use crate::scene::Scene;
-use crate::surface::{Hit, classic};
 
-/// How one pixel came by its colour: everything that the tracer did for it.
+/// Rays of one pixel and its colour.
 #[derive(Debug, Clone, Serialize)]
-pub struct PixelStory {
+pub(crate) struct PixelReport {
     /// Column and row, counted from the top left, from 0.
-    pub pixel: [u32; 2],
-    /// Its colour: the mean of all rays from the eye.
-    pub color: [f64; 3],
-    /// What each ray from the eye met and caused.
-    pub rays: Vec<Step>,
+    pub(crate) pixel: [u32; 2],
+    pub(crate) color: [f64; 3],
+    /// Rays from the eye, of which the colour is the mean.
+    pub(crate) rays: Vec<RayReport>,
 }
 
-/// A ray, what it met, and what came of it.
+/// A ray, its hit, and the rays that it causes.
 #[derive(Debug, Clone, Serialize)]
-pub struct Step {
-    /// Where it comes from.
-    pub kind: &'static str,
-    /// The share of what it brings back that its surface passes on.
-    pub share: [f64; 3],
-    /// What it met; `None` for nothing.
-    pub met: Option<Met>,
-    /// What the surface itself sends back: ambient and the light of all lights and lamps, faded, and
-    /// as much of it as counts beside what the surface mirrors and lets through.
-    pub own: [f64; 3],
-    /// What of that is the light of lamps, or its own glow if it is one.
-    pub of_lamps: [f64; 3],
-    /// What each light did there, and after the lights each lamp.
-    pub lights: Vec<LightStep>,
-    /// The rays that it caused.
-    pub causes: Vec<Self>,
-    /// The rays that it did not cause, and why.
-    pub unfollowed: Vec<UnfollowedStep>,
-    /// What it brings back.
-    pub brings: [f64; 3],
+pub(crate) struct RayReport {
+    pub(crate) kind: &'static str,
+    /// Share of its colour that the surface at its origin passes on.
+    pub(crate) share: [f64; 3],
+    pub(crate) hit: Option<HitReport>,
+    /// Colour of the surface by ambient light, lights and lamps, as far as it counts beside mirrored
+    /// and transmitted rays.
+    pub(crate) own: [f64; 3],
+    /// Part of it that is light of lamps, or the surface's own emission if it is a lamp.
+    pub(crate) of_lamps: [f64; 3],
+    /// Lights, then lamps.
+    pub(crate) lights: Vec<LightReport>,
+    pub(crate) causes: Vec<Self>,
+    pub(crate) unfollowed: Vec<UnfollowedRay>,
+    /// Colour of the ray.
+    pub(crate) brings: [f64; 3],
 }
 
-/// Where a ray met a surface.
+/// Hit of a ray.
 #[derive(Debug, Clone, Serialize)]
-pub struct Met {
-    /// The surface.
-    pub surface: Thing,
-    /// The distance from where the ray set out.
-    pub distance: f64,
-    /// The place.
-    pub place: [f64; 3],
-    /// The colour of the surface's image there; white without one.
-    pub texel: [f64; 3],
-    /// Whether it is a lamp, whose own light is its glow.
-    pub glows: bool,
+pub(crate) struct HitReport {
+    pub(crate) surface: SceneItem,
+    /// Distance from the origin of the ray.
+    pub(crate) distance: f64,
+    pub(crate) place: [f64; 3],
+    /// Colour of the texture there; white without one.
+    pub(crate) texel: [f64; 3],
+    /// True if the surface is a lamp.
+    pub(crate) glows: bool,
 }
 
-/// What a light or a lamp does where a ray has met a surface.
+/// A light or lamp at a hit.
 #[derive(Debug, Clone, Serialize)]
-pub struct LightStep {
-    /// The light, or the lamp.
-    pub light: Thing,
-    /// What became of its light, in words.
-    pub what: String,
-    /// What arrives of a light, before angle and distance, or of a lamp; `None` if nothing does.
-    pub arrives: Option<[f64; 3]>,
-    /// The share of a lamp's light that passes what stands in its way; `None` for a light, and for a
-    /// lamp that does not shine here.
-    pub share: Option<[f64; 3]>,
-    /// How many rays were sent to find that out.
-    pub rays: u64,
+pub(crate) struct LightReport {
+    pub(crate) light: SceneItem,
+    /// Arrival or its obstacle in words.
+    pub(crate) what: String,
+    /// Light that arrives, of a light before angle and distance; `None` if nothing does.
+    pub(crate) arrives: Option<[f64; 3]>,
+    /// Transmittance of the way to a lamp; `None` for a light, and for a lamp that does not shine
+    /// here.
+    pub(crate) share: Option<[f64; 3]>,
+    /// Shadow rays sent to it.
+    pub(crate) rays: u64,
 }
 
-/// A ray that did not set out.
+/// A ray that is not followed.
 #[derive(Debug, Clone, Serialize)]
-pub struct UnfollowedStep {
-    /// Where it would have come from.
-    pub kind: &'static str,
-    /// Why it did not set out.
-    pub why: String,
+pub(crate) struct UnfollowedRay {
+    pub(crate) kind: &'static str,
+    pub(crate) why: String,
 }
 
-/// How the pixel in a column and a row, counted from the top left, from 0, comes by its colour.
+impl PixelReport {
+    /// The report as JSON, with former names of keys beside the current ones.
+    pub(crate) fn json(&self) -> Value {
+        aliases::json(self)
+    }
+}
+
+/// Traces the pixel in a column and a row, counted from the top left, from 0.
 ///
 /// # Errors
 /// Refuses a camera that cannot exist, and a pixel outside of the picture.
-pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, ValueError> {
+pub(crate) fn transcript(
+    scene: &Scene,
+    [column, row]: [u32; 2],
+) -> Result<PixelReport, ValueError> {
     let (width, height) = (scene.settings.width, scene.settings.height);
     if column >= width || row >= height {
         let reason =
@@ -97,8 +99,7 @@ pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, 
         let help = "columns and rows are counted from the top left, from 0";
         return Err(ValueError::new("image", reason, help));
     }
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), Scope::CalledFor)?;
+    let plan = Plan::new(scene, Scope::CalledFor)?;
     let mut listener = Listener {
         plan: &plan,
         open: Vec::new(),
@@ -108,27 +109,27 @@ pub fn transcript(scene: &Scene, [column, row]: [u32; 2]) -> Result<PixelStory, 
     let place = [column, row].map(|place| place as usize);
     let tracer = Tracer::new(&plan);
     let color = pixel_color(tracer, scene, place[0], place[1], &mut listener);
-    Ok(PixelStory {
+    Ok(PixelReport {
         pixel: [column, row],
         color: color.channels(),
         rays: listener.rays,
     })
 }
 
-/// Writes down what the tracer does.
+/// Records rays as they are traced.
 struct Listener<'p, 'a> {
     plan: &'p Plan<'a>,
-    /// The rays that have set out and not come back, the first one first.
-    open: Vec<Step>,
-    /// The rays from the eye that have come back.
-    rays: Vec<Step>,
-    /// How many rays were sent to the light that is told of next.
+    /// Rays without a colour yet, the outermost first.
+    open: Vec<RayReport>,
+    /// Finished rays from the eye.
+    rays: Vec<RayReport>,
+    /// Shadow rays sent to the light that is reported next.
     sent: u64,
 }
 
 impl Listener<'_, '_> {
-    /// Notes something about the ray that set out last.
-    fn note(&mut self, note: impl FnOnce(&mut Step)) {
+    /// Changes the innermost open ray.
+    fn note(&mut self, note: impl FnOnce(&mut RayReport)) {
         if let Some(step) = self.open.last_mut() {
             note(step);
         }
@@ -136,15 +137,36 @@ impl Listener<'_, '_> {
 }
 
 impl Probe for Listener<'_, '_> {
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::Ray(kind, share) => self.ray(kind, share),
+            Event::NotFollowed(kind, why) => self.not_followed(kind, why),
+            Event::Hit(surface, hit, _) => self.hit(surface, hit),
+            Event::Light(light, arrival) => self.light(light, arrival),
+            Event::OwnColor { color, of_lamps } => self.note(|ray| {
+                ray.own = color.channels();
+                ray.of_lamps = of_lamps.channels();
+            }),
+            Event::OwnShare(share) => self.note(|ray| {
+                ray.own = ray.own.map(|own| own * share);
+                ray.of_lamps = ray.of_lamps.map(|of_lamps| of_lamps * share);
+            }),
+            Event::Returned(color) => self.returned(color),
+            _ => {}
+        }
+    }
+}
+
+impl Listener<'_, '_> {
     fn ray(&mut self, kind: RayKind, share: Rgb) {
         if matches!(kind, RayKind::Shadow | RayKind::Lamp) {
             self.sent += 1;
             return;
         }
-        self.open.push(Step {
+        self.open.push(RayReport {
             kind: word(kind),
             share: share.channels(),
-            met: None,
+            hit: None,
             own: [0.0; 3],
             of_lamps: [0.0; 3],
             lights: Vec::new(),
@@ -156,36 +178,39 @@ impl Probe for Listener<'_, '_> {
 
     fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
         let why = match why {
-            Unfollowed::BeyondReach => "the way from the eye is longer than `reach`".to_owned(),
+            Unfollowed::BeyondReach => "its path from the eye is longer than `reach`".to_owned(),
             Unfollowed::TooFaint(missed) => {
-                format!("it could add {missed:.1e} at most, and `cut-off` lets that go")
+                format!("it adds at most {missed:.1e}, less than `cut-off` permits to lack")
             }
             Unfollowed::Capped(missed) => {
-                format!("a thousand rays are enough; it could have added up to {missed:.1e}")
+                format!("the limit of 1000 rays is reached; it adds at most {missed:.1e}")
             }
         };
         let kind = word(kind);
-        self.note(|step| step.unfollowed.push(UnfollowedStep { kind, why }));
+        self.note(|ray| ray.unfollowed.push(UnfollowedRay { kind, why }));
     }
 
-    fn met(&mut self, surface: usize, hit: &Hit, _errors: Errors) {
+    fn hit(&mut self, surface: usize, hit: &Hit) {
         let scene = self.plan.scene;
         let cause = Cause::of_surface(&*scene.surfaces[surface]);
-        let met = Met {
-            surface: Thing::of(&cause, &scene.sources),
+        let report = HitReport {
+            surface: SceneItem::of(&cause, &scene.sources),
             distance: hit.t,
             place: hit.point.world().to_array(),
             texel: hit.texel.channels(),
             glows: scene.surfaces[surface].lamp().is_some(),
         };
-        self.note(|step| step.met = Some(met));
+        self.note(|ray| ray.hit = Some(report));
     }
 
     fn light(&mut self, light: usize, arrival: Arrival) {
         let rays = std::mem::take(&mut self.sent);
         let scene = self.plan.scene;
         let cause = match light.checked_sub(scene.lights.len()) {
-            Some(lamp) => Cause::of_surface(self.plan.lamp_views[lamp].lamp),
+            Some(lamp) => match self.plan.lamps[lamp].view.lamp() {
+                Some(lamp) => Cause::of_surface(lamp),
+                None => return,
+            },
             None => Cause::of_light(&scene.lights[light]),
         };
         let (arrives, share) = match arrival {
@@ -195,65 +220,51 @@ impl Probe for Listener<'_, '_> {
             }
             _ => (None, None),
         };
-        let step = LightStep {
-            light: Thing::of(&cause, &scene.sources),
+        let report = LightReport {
+            light: SceneItem::of(&cause, &scene.sources),
             what: what(arrival, rays),
             arrives: arrives.map(Rgb::channels),
             share: share.map(Rgb::channels),
             rays,
         };
-        self.note(|open| open.lights.push(step));
+        self.note(|ray| ray.lights.push(report));
     }
 
-    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
-        self.note(|step| {
-            step.own = color.channels();
-            step.of_lamps = of_lamps.channels();
-        });
-    }
-
-    fn own_share(&mut self, share: f64) {
-        self.note(|step| {
-            step.own = step.own.map(|own| own * share);
-            step.of_lamps = step.of_lamps.map(|of_lamps| of_lamps * share);
-        });
-    }
-
-    fn came_back(&mut self, color: Rgb) {
-        let Some(mut step) = self.open.pop() else {
+    fn returned(&mut self, color: Rgb) {
+        let Some(mut ray) = self.open.pop() else {
             return;
         };
-        step.brings = color.channels();
+        ray.brings = color.channels();
         match self.open.last_mut() {
-            Some(cause) => cause.causes.push(step),
-            None => self.rays.push(step),
+            Some(cause) => cause.causes.push(ray),
+            None => self.rays.push(ray),
         }
     }
 }
 
-/// What became of a light's light, in words.
+/// Arrival of a light or its obstacle, in words.
 fn what(arrival: Arrival, rays: u64) -> String {
-    let found_out = match rays {
-        1 => "as a ray found out".to_owned(),
-        rays => format!("as {rays} rays found out"),
-    };
     let what = match arrival {
         Arrival::Unplanned => "cannot light this surface",
-        Arrival::Here => "is in this very place, so that its light has no direction",
-        Arrival::Behind => "behind the surface",
+        Arrival::Here => "is at this very point, so that its light has no direction",
+        Arrival::Behind => "is behind the surface",
         Arrival::Colorless => "finds no diffuse colour here",
-        Arrival::OutsideBeam => "its beam passes by",
+        Arrival::OutsideBeam => "shines past this point",
         Arrival::Lamp { passed, .. } if rays == 0 && passed.is_black() => {
-            "hidden; no ray was sent, for something hides all of it here"
+            "is hidden; no ray needed, an occluder covers all of it"
         }
         Arrival::Light { unasked: true, .. } | Arrival::Lamp { .. } if rays == 0 => {
-            "arrives; no ray was sent, for nothing can stand in its way here"
+            "arrives; no ray needed, nothing can block it here"
         }
-        Arrival::Lamp { passed, .. } if passed.is_black() => return format!("hidden, {found_out}"),
-        Arrival::Hidden => return format!("hidden, {found_out}"),
-        Arrival::Light { .. } | Arrival::Lamp { .. } => return format!("arrives, {found_out}"),
+        Arrival::Lamp { passed, .. } if passed.is_black() => "is hidden",
+        Arrival::Hidden => "is hidden",
+        Arrival::Light { .. } | Arrival::Lamp { .. } => "arrives",
     };
-    what.to_owned()
+    match rays {
+        0 => what.to_owned(),
+        1 => format!("{what}; tested with 1 ray"),
+        rays => format!("{what}; tested with {rays} rays"),
+    }
 }
 
 fn word(kind: RayKind) -> &'static str {

@@ -1,30 +1,28 @@
-//! A scene with one of its effects switched off.
+//! Scenes with an effect switched off.
 
 use std::path::PathBuf;
 
 use crate::film::Transfer;
-use crate::language::{Node, Schema, Value, ValueError};
+use crate::language::{Entry, Node, Schema, Value, ValueError};
 use crate::light::{Cone, Light, Slide};
 use crate::plan::Effect;
 use crate::read::{Options, read_bytes};
 use crate::scene::Scene;
-use crate::surface::{FinitePlane, TexturePlane};
+use crate::surface::{Plain, Textured};
 use crate::texture::{Filter, Texture};
 
-/// A scene with one effect switched off, by what its user could have written: the scene is
-/// described, its nodes are changed, and their text is read.
+/// The scene without an effect: its text is changed as a user could do, and read again.
 ///
-/// Mirrors and glints share `specular`, so without mirrors there are no glints either; glints alone
-/// are switched off by `shininess`. What has an `ior` mirrors by it, so without mirrors it has none.
-/// Shadows and soft shadows are what surfaces receive, and go together.
+/// Mirrors take specular highlights along, with which they share `specular`, and refraction, whose
+/// `ior` mirrors too. Shadows and soft shadows go together.
 ///
 /// # Errors
-/// Refuses a scene that cannot be read again, because its textures cannot.
+/// Refuses a scene whose textures cannot be read again.
 pub fn without(scene: &Scene, effect: Effect) -> Result<Scene, ValueError> {
     read_again(nodes(scene)?.into_iter().map(|node| off(node, effect)))
 }
 
-/// The scene as its own text has it.
+/// The scene, written as text and read again.
 ///
 /// # Errors
 /// As [`without`].
@@ -32,7 +30,7 @@ pub fn round_trip(scene: &Scene) -> Result<Scene, ValueError> {
     read_again(nodes(scene)?.into_iter())
 }
 
-/// The nodes of a scene, which name textures as the current folder does.
+/// Nodes of a scene with the paths of textures from the current folder.
 fn nodes(scene: &Scene) -> Result<Vec<Node>, ValueError> {
     let mut nodes = scene.describe();
     let textures = nodes
@@ -48,83 +46,80 @@ fn nodes(scene: &Scene) -> Result<Vec<Node>, ValueError> {
     Ok(nodes)
 }
 
-/// A node without what calls for an effect.
-fn off(node: Node, effect: Effect) -> Node {
+/// A node without the attributes that call for an effect.
+fn off(mut node: Node, effect: Effect) -> Node {
     match effect {
-        Effect::Shadows | Effect::SoftShadows => unshadowed(node),
-        Effect::Mirrors => without_attribute(with_number(node, "specular", 0.0), "ior"),
-        Effect::Transparency => with_number(node, "transparency", 0.0),
-        Effect::Refraction => without_attribute(node, "ior"),
-        Effect::Glints => with_number(node, "shininess", 0.0),
-        Effect::SpotCones => changed(node, &Cone::SCHEMA, &Light::SCHEMA),
-        Effect::Projectors => changed(node, &Slide::SCHEMA, &Light::SCHEMA),
-        Effect::Textures if node.schema == &Slide::SCHEMA => node,
+        Effect::Shadows | Effect::SoftShadows => {
+            for shadows in entries(&mut node.attributes, "shadows") {
+                set(&mut shadows.properties, "receive", false.into());
+            }
+        }
+        Effect::Mirrors => {
+            set(&mut node.attributes, "specular", Value::Number(0.0));
+            remove(&mut node, "ior");
+        }
+        Effect::Transparency => set(&mut node.attributes, "transparency", Value::Number(0.0)),
+        Effect::Refraction => remove(&mut node, "ior"),
+        Effect::Glints => set(&mut node.attributes, "shininess", Value::Number(0.0)),
+        Effect::SpotCones => convert(&mut node, &Cone::SCHEMA, &Light::SCHEMA),
+        Effect::Projectors => convert(&mut node, &Slide::SCHEMA, &Light::SCHEMA),
+        Effect::Textures if node.schema == &Slide::SCHEMA => {}
         Effect::Textures => {
-            let plane = changed(node, &TexturePlane::SCHEMA, &FinitePlane::SCHEMA);
-            without_attribute(plane, "texture")
+            convert(&mut node, &Textured::PLANE, &Plain::FINITE_PLANE);
+            remove(&mut node, "texture");
         }
         Effect::TextureFilter => {
-            with_property(node, "texture-filter", Filter::Nearest.word().into())
+            let nearest = Filter::Nearest.word().into();
+            set(&mut node.properties, "texture-filter", nearest);
         }
         Effect::Antialiasing => {
-            let single = with_property(node, "samples", Value::Number(1.0));
-            with_property(single, "max-error", Value::Number(0.0))
+            set(&mut node.properties, "samples", Value::Number(1.0));
+            set(&mut node.properties, "max-error", Value::Number(0.0));
         }
-        Effect::TransferCurve => with_property(node, "transfer", Transfer::None.word().into()),
-    }
-}
-
-/// Without shadows on it.
-fn unshadowed(mut node: Node) -> Node {
-    let entries = node.attributes.iter_mut();
-    for shadows in entries.filter(|entry| entry.attribute.word == "shadows") {
-        let properties = shadows.properties.iter_mut();
-        for receive in properties.filter(|entry| entry.attribute.word == "receive") {
-            receive.value = Some(false.into());
+        Effect::TransferCurve => {
+            set(
+                &mut node.properties,
+                "transfer",
+                Transfer::None.word().into(),
+            );
         }
     }
     node
 }
 
-/// With an attribute set to a number, if it is given.
-fn with_number(mut node: Node, word: &str, number: f64) -> Node {
-    let entries = node.attributes.iter_mut();
-    for entry in entries.filter(|entry| entry.attribute.word == word) {
-        entry.value = Some(Value::Number(number));
-    }
-    node
+/// Entries with a word.
+fn entries<'a>(entries: &'a mut [Entry], word: &str) -> impl Iterator<Item = &'a mut Entry> {
+    entries
+        .iter_mut()
+        .filter(move |entry| entry.attribute.word == word)
 }
 
-/// Of one kind made another, which knows only some of its attributes.
-fn changed(mut node: Node, from: &Schema, to: &'static Schema) -> Node {
+/// Changes the value of an attribute or property, if it is given.
+fn set(all: &mut [Entry], word: &str, value: Value) {
+    for entry in entries(all, word) {
+        entry.value = Some(value.clone());
+    }
+}
+
+/// Removes an attribute.
+fn remove(node: &mut Node, word: &str) {
+    node.attributes.retain(|entry| entry.attribute.word != word);
+}
+
+/// Makes a node of one kind another, with the attributes that both have.
+fn convert(node: &mut Node, from: &Schema, to: &'static Schema) {
     if node.schema == from {
         (node.schema, node.word) = (to, to.word);
         let known = |word| to.all_attributes().any(|attribute| attribute.word == word);
         node.attributes.retain(|entry| known(entry.attribute.word));
     }
-    node
 }
 
-/// Without an attribute.
-fn without_attribute(mut node: Node, word: &str) -> Node {
-    node.attributes.retain(|entry| entry.attribute.word != word);
-    node
-}
-
-/// With a property set to a value, if it is given.
-fn with_property(mut node: Node, word: &str, value: Value) -> Node {
-    let properties = node.properties.iter_mut();
-    for property in properties.filter(|entry| entry.attribute.word == word) {
-        property.value = Some(value.clone());
-    }
-    node
-}
-
-/// The scene that these nodes make, as text; textures that nothing wears any more are left out.
+/// Reads the text of nodes without the textures that none of them uses.
 fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, ValueError> {
     let nodes: Vec<_> = nodes.collect();
-    let worn: Vec<_> = nodes.iter().map(image_of).collect();
-    let is_idle = |node: &Node| node.schema == &Texture::SCHEMA && !worn.contains(&node.name);
+    let used: Vec<_> = nodes.iter().map(image_of).collect();
+    let is_idle = |node: &Node| node.schema == &Texture::SCHEMA && !used.contains(&node.name);
     let text: String = nodes
         .iter()
         .filter(|node| !is_idle(node))
@@ -146,7 +141,7 @@ fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, ValueError> {
     }
 }
 
-/// The name of the texture that a surface wears or a projector shows.
+/// Name of the texture of a surface or projector.
 fn image_of(node: &Node) -> Option<String> {
     let image = node.entry("texture")?.value.as_ref()?;
     Some(image.text().to_owned())

@@ -1,20 +1,22 @@
-//! Whether the beam of a light certainly passes by a surface.
+//! Tests whether the beam of a light certainly misses a surface.
 
 use glam::DVec3;
 
+use crate::geometry::Rectangle;
 use crate::light::Cone;
 use crate::math::error_bounds::{APART, UNIT};
-use crate::math::{Ball, Bounds, Point, Rectangle, is_clear};
+use crate::math::{Ball, Bounds, Point, is_clear};
 
-/// Whether a cone of light certainly lights nothing of what is in a box.
-pub(super) fn cone_passes_by(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool {
+/// Returns whether a cone of light certainly misses a box.
+pub(super) fn cone_misses(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool {
     Ball::around(bounds).is_outside(location, cone.axis(), cone.angle())
 }
 
-/// Whether light through a slide certainly lights nothing of what is in a box: one plane through the
-/// light and a border of the slide has the slide on one side and the box on the other, both further
-/// off than rounding can turn anything.
-pub(super) fn slide_passes_by(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
+/// Returns whether light through a slide certainly misses a box.
+///
+/// True if a plane through the light and a border of the slide separates the slide from the box, by
+/// more than the rounding error of the plane and the points.
+pub(super) fn slide_misses(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
     let corners = slide.corners();
     let next = corners.iter().cycle().skip(1);
     let inner = corners.iter().cycle().skip(2);
@@ -24,9 +26,9 @@ pub(super) fn slide_passes_by(location: DVec3, slide: &Rectangle, bounds: &Bound
             return false;
         };
         let sine = |point: DVec3| {
-            let way = point - location;
-            let distance = way.length();
-            is_clear(location, point, distance).then(|| normal.dot(way) / distance)
+            let offset = point - location;
+            let distance = offset.length();
+            is_clear(location, point, distance).then(|| normal.dot(offset) / distance)
         };
         let Some(inside) = sine(*inner).filter(|sine| sine.abs() > APART) else {
             return false;
@@ -37,16 +39,17 @@ pub(super) fn slide_passes_by(location: DVec3, slide: &Rectangle, bounds: &Bound
     })
 }
 
-/// The unit normal of the plane through a light and a border; `None` if rounding could turn it by more
-/// than a sixteenth of [`APART`], as where the border is seen from its end.
+/// The unit normal of the plane through a light and a border.
+///
+/// `None` if its error may exceed a sixteenth of [`APART`], as for a border in line with the light.
 fn normal(light: DVec3, from: DVec3, to: DVec3) -> Option<DVec3> {
-    let [from_way, to_way] = [from, to].map(|corner| corner - light);
-    let normal = from_way.cross(to_way);
+    let [to_start, to_end] = [from, to].map(|corner| corner - light);
+    let normal = to_start.cross(to_end);
     let length = normal.length();
     let size: f64 = [light, from, to]
         .map(|it| Point::exact(it).size())
         .iter()
         .sum();
-    let doubt = 64.0 * UNIT * size * (from_way.length() + to_way.length());
-    (doubt < APART / 16.0 * length).then(|| normal / length)
+    let bound = 64.0 * UNIT * size * (to_start.length() + to_end.length());
+    (bound < APART / 16.0 * length).then(|| normal / length)
 }

@@ -1,4 +1,4 @@
-//! What of a scene is simulated, and why.
+//! The plan of a scene: the effects that are simulated, with reasons.
 
 mod beam;
 mod decide;
@@ -16,128 +16,153 @@ pub use scope::Scope;
 pub use tail::Tail;
 pub use unlit::Unlit;
 
-use crate::accel::{Accelerator, LampView, LightView, ScreenBounds, SurfaceList};
+use std::sync::Arc;
+
 use crate::camera::Camera;
 use crate::language::ValueError;
+use crate::math::Numerics;
 use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
 use crate::texture::Filter;
+use crate::visibility::{Accelerator, Emitter, LightView, ScreenBounds, Silhouettes, SurfaceList};
 
-/// A scene made ready for tracing: what will be simulated of it.
+/// A scene prepared for tracing, with all decisions about its effects.
 #[derive(Debug)]
 pub struct Plan<'a> {
-    /// What is drawn.
+    /// The scene.
     pub scene: &'a Scene,
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Camera,
-    /// The surfaces that rays can meet.
+    /// The surfaces that rays can hit.
     pub surfaces: SurfaceList<'a>,
-    /// What the camera sees where; `None` if everything is looked for everywhere, or a
-    /// tree knows better.
-    pub sight: Option<ScreenBounds<'a>>,
-    /// What each light has before it, in the order of the scene's lights.
-    pub light_views: Vec<LightView<'a>>,
-    /// What each lamp has before it, in the order of the scene's surfaces.
-    pub lamp_views: Vec<LampView<'a>>,
-    /// How rays can meet a surface, for each of them.
-    pub seen: Vec<Reachability>,
-    /// Why the light of a light never arrives at a surface, if so: for each light, each surface.
-    pub unlit: Vec<Vec<Option<Unlit>>>,
-    /// The same for each lamp.
-    pub unlit_by_lamp: Vec<Vec<Option<Unlit>>>,
-    /// Where the outlines of surfaces run through the picture; `None` if nobody asks.
+    /// The screen bounds of surfaces.
+    ///
+    /// `None` if every surface is tested for every camera ray, or if a tree finds them.
+    pub screen_bounds: Option<ScreenBounds<'a>>,
+    /// The reachability of each surface.
+    pub reachability: Vec<Reachability>,
+    /// The lights, in the order of the scene.
+    pub lights: Vec<PlannedLight<'a>>,
+    /// The lamps, in the order of the scene's surfaces.
+    pub lamps: Vec<PlannedLight<'a>>,
+    /// The outlines of surfaces in the picture; `None` without adaptive sampling.
     pub outlines: Option<Outlines>,
-    /// What a ray that is not followed could still have brought.
+    /// A bound of the light that a ray can add.
     pub tail: Tail,
-    /// How textures are looked at, if beams are followed for it; `None` if the texel that a ray meets
-    /// is all that is wanted.
+    /// The texture filter; `None` if footprints are not needed.
     pub filter: Option<Filter>,
-    /// Whether anything is left out.
+    /// The scope of the simulation.
     pub scope: Scope,
 }
 
+/// A light or a lamp, with the surfaces that it lights.
+#[derive(Debug)]
+pub struct PlannedLight<'a> {
+    /// Its receivers and occluders.
+    pub view: LightView<'a>,
+    /// The reason for which each surface gets no light; `None` if it may get some.
+    pub unlit: Vec<Option<Unlit>>,
+}
+
 impl<'a> Plan<'a> {
-    /// A plan for this scene; `classic` are its surfaces made for other numerics than their own,
-    /// if the scene asks for that ([`crate::surface::classic::surfaces`]).
+    /// A plan for this scene.
     ///
     /// # Errors
-    /// Refuses a camera that cannot exist.
-    pub fn new(
-        scene: &'a Scene,
-        classic: Option<&'a [Box<dyn Surface + 'a>]>,
-        scope: Scope,
-    ) -> Result<Self, ValueError> {
+    /// Returns an error for a camera that cannot exist.
+    pub fn new(scene: &'a Scene, scope: Scope) -> Result<Self, ValueError> {
         let accelerator = match scope {
             Scope::CalledFor => Accelerator::for_count(scene.surfaces.len()),
             Scope::Everything => Accelerator::List,
         };
-        Self::with(scene, classic, scope, accelerator)
+        Self::with(scene, scope, accelerator)
     }
 
-    /// The same plan with surfaces found in this way. Classic ones are always in a list.
+    /// A plan with this accelerator; classic numerics always use a list.
     ///
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with(
         scene: &'a Scene,
-        classic: Option<&'a [Box<dyn Surface + 'a>]>,
         scope: Scope,
         accelerator: Accelerator,
     ) -> Result<Self, ValueError> {
-        let camera = scene
-            .view
-            .camera(scene.settings.width, scene.settings.height)?;
-        let surfaces = match classic {
-            None => SurfaceList::with(&scene.surfaces, accelerator),
-            Some(classic) => SurfaceList::without_sheets(classic),
+        let settings = &scene.settings;
+        let camera = scene.view.camera(settings.width, settings.height)?;
+        let surfaces = match settings.numerics {
+            Numerics::Robust => SurfaceList::with(&scene.surfaces, accelerator),
+            numerics => SurfaceList::classic(&scene.surfaces, numerics),
         };
-        // Rounded numerics prove nothing, so they leave nothing out.
-        let elides = scope == Scope::CalledFor && classic.is_none();
-        let sight = elides.then(|| ScreenBounds::new(&surfaces, &camera));
-        let seen = Reachability::all(scene, sight.as_ref(), &camera);
-        let unlit = Unlit::by_lights(scene, &seen, elides);
-        let places = scene.lights.iter().map(|light| light.location);
-        let lights = |light: usize, surface: usize| unlit[light][surface].is_none();
-        let light_views = LightView::all(&surfaces, places, elides, lights);
-        let mut lamp_views = LampView::all(&surfaces, &scene.surfaces, !elides);
-        let unlit_by_lamp = Unlit::by_lamps(&lamp_views, surfaces.entries(), &seen, elides);
-        for (view, unlit) in lamp_views.iter_mut().zip(&unlit_by_lamp) {
-            view.retain(|surface| unlit[surface].is_none());
-        }
-        let outlines = outlines(scene, &camera);
-        let all_asked = surfaces.accelerator() == Accelerator::List;
+        // Rounded values have no proven bounds, so they permit no shortcuts.
+        let saves = scope == Scope::CalledFor && settings.numerics == Numerics::Robust;
+        let screen_bounds = saves.then(|| ScreenBounds::new(&surfaces, &camera));
+        let reachability = Reachability::all(scene, screen_bounds.as_ref(), &camera);
+        let is_open = camera.screen().is_none();
+        let (lights, lamps) = planned_lights(scene, &surfaces, &reachability, is_open, saves);
+        let all_tested = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
+            outlines: outlines(scene, &camera),
             camera,
             surfaces,
-            sight: sight.filter(|_| all_asked),
-            light_views,
-            lamp_views,
-            seen,
-            unlit,
-            unlit_by_lamp,
-            outlines,
+            screen_bounds: screen_bounds.filter(|_| all_tested),
+            reachability,
+            lights,
+            lamps,
             tail: Tail::new(scene),
             filter: filter(scene, scope),
             scope,
         })
     }
 
-    /// Whether there is neither a light nor a lamp.
+    /// Returns whether there is neither a light nor a lamp.
     #[must_use]
     #[inline]
     pub fn is_unlit(&self) -> bool {
-        self.light_views.is_empty() && self.lamp_views.is_empty()
+        self.lights.is_empty() && self.lamps.is_empty()
     }
 
-    /// Whether each effect is simulated, and why.
+    /// The decision about each effect, with its reason.
     #[must_use]
     pub fn decisions(&self) -> Vec<Decision> {
         decide::all(self)
     }
 }
 
-/// The outlines in a picture that sends more rays through some pixels than through others.
+/// The lights and the lamps of a scene.
+fn planned_lights<'a>(
+    scene: &'a Scene,
+    surfaces: &SurfaceList<'a>,
+    reachability: &[Reachability],
+    is_open: bool,
+    saves: bool,
+) -> (Vec<PlannedLight<'a>>, Vec<PlannedLight<'a>>) {
+    let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
+    let planned = |emitter, unlit: &dyn Fn(usize, &dyn Surface, bool) -> Option<Unlit>| {
+        let reached = scene.surfaces.iter().zip(reachability).enumerate();
+        let unlit = reached.map(|(index, (surface, it))| unlit(index, &**surface, it.is_reached()));
+        let unlit: Vec<_> = unlit.collect();
+        let lights = |index: usize| unlit[index].is_none();
+        let view = LightView::new(surfaces, &silhouettes, emitter, !saves, lights);
+        let view = view.open(is_open);
+        PlannedLight { view, unlit }
+    };
+    let lights = scene.lights.iter().map(|light| {
+        planned(Emitter::Point(light.location), &|_, surface, is_reached| {
+            Unlit::by_light(light, surface, is_reached, saves)
+        })
+    });
+    let lamps = Emitter::lamps(surfaces).map(|emitter| {
+        let silhouette = emitter.silhouette();
+        planned(emitter, &|index, surface, is_reached| {
+            let lamp = (emitter.lamp()?, &silhouette);
+            let receiver = silhouettes.of(&surfaces.primitives()[index]);
+            Unlit::by_lamp(lamp, (surface, receiver), is_reached, saves)
+        })
+    });
+    (lights.collect(), lamps.collect())
+}
+
+/// The outlines for adaptive sampling; `None` for a fixed number of rays per pixel.
 fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
     let RenderSettings {
         width,
@@ -151,7 +176,7 @@ fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
     })
 }
 
-/// The filter of a scene whose textures it makes a difference to.
+/// The texture filter; `None` if it cannot change the picture.
 fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
     (scene.is_filtered() || scope == Scope::Everything).then_some(scene.settings.texture_filter)
 }

@@ -1,50 +1,50 @@
-//! Which surfaces any ray can meet.
+//! The reachability of surfaces by rays.
 
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::accel::{ScreenBounds, overhang};
 use crate::camera::Camera;
 use crate::math::error_bounds::APART;
 use crate::math::{Bounds, Flat, Point, Side};
 use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
+use crate::visibility::{ScreenBounds, shared_border_error};
 
-/// How a ray can come to meet a surface.
+/// The reachability of a surface by rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reachability {
     /// From the eye.
     Directly,
-    /// Sent on by mirrors or through surfaces, but not from the eye.
+    /// Only after reflection or transmission.
     SentOn,
     /// Not at all.
     Never,
 }
 
-/// The most pairs of one that sends rays on and another surface that are looked at; of more, every
-/// surface is taken for one that can be met.
+/// The largest number of pairs of a scattering and another surface to examine.
+///
+/// In larger scenes every surface counts as reachable.
 const MOST_PAIRS: usize = 1 << 20;
 
 impl Reachability {
-    /// How rays can meet each surface of a scene: from the eye where the camera sees it, and from
-    /// surfaces that send rays on. Without `sight` all are taken to be in sight.
+    /// The reachability of each surface from the camera and scattering surfaces.
     ///
-    /// A flat surface mirrors rays to the side that they come from, and lets them through to the other
-    /// one; what lies wholly on the side to which none go is not met by them. Something round
-    /// sends rays anywhere.
+    /// Without screen bounds all count as visible. A flat surface reflects rays to the side of
+    /// their origin and transmits them to the other. They reach no surface that lies wholly on a
+    /// side without rays. A round surface scatters rays in all directions.
     pub(super) fn all(
         scene: &Scene,
-        sight: Option<&ScreenBounds<'_>>,
+        screen_bounds: Option<&ScreenBounds<'_>>,
         camera: &Camera,
     ) -> Vec<Self> {
         let count = scene.surfaces.len();
-        let Some(sight) = sight else {
+        let Some(screen_bounds) = screen_bounds else {
             return vec![Self::Directly; count];
         };
         let RenderSettings { width, height, .. } = scene.settings;
-        let in_sight = sight.seen([width, height], count);
-        let mut seen: Vec<_> = in_sight
+        let is_visible = screen_bounds.visible([width, height], count);
+        let mut seen: Vec<_> = is_visible
             .into_iter()
             .map(|seen| if seen { Self::Directly } else { Self::Never })
             .collect();
@@ -55,67 +55,68 @@ impl Reachability {
             }
             return seen;
         }
-        let mut spread = Spread::new(scene, seen);
-        spread.arrive_from_eye(&Point::exact(camera.viewpoint()));
-        while let Some((sender, side)) = spread.waiting.pop() {
-            spread.send_on(sender, side);
+        let mut propagation = Propagation::new(scene, seen);
+        propagation.arrive_from_eye(&Point::exact(camera.viewpoint()));
+        while let Some((sender, side)) = propagation.pending.pop() {
+            propagation.send_on(sender, side);
         }
-        spread.seen
+        propagation.seen
     }
 
-    /// Whether any ray can meet it.
+    /// Returns whether any ray can hit it.
     #[must_use]
-    pub fn is_seen(self) -> bool {
+    pub fn is_reached(self) -> bool {
         self != Self::Never
     }
 }
 
-/// Rays on their way from surface to surface.
+/// The propagation of reachability from surface to surface.
 #[derive(Debug)]
-struct Spread<'s> {
+struct Propagation<'s> {
     surfaces: &'s [Box<dyn Surface>],
-    /// A box in which each surface is met; `None` if it has no end.
+    /// The box in which each surface can be hit; `None` if it is unbounded.
     boxes: Vec<Option<Bounds>>,
-    /// How rays can meet each surface, as far as that is known yet.
+    /// The reachability of each surface so far.
     seen: Vec<Reachability>,
-    /// Whether rays arrive at the front and at the back of each surface that sends them on.
-    arrived: Vec<[bool; 2]>,
-    /// The surfaces and sides that rays arrive at which have not been sent on yet.
-    waiting: Vec<(usize, Side)>,
+    /// True for the front and back of each scattering surface if rays arrive there.
+    marked: Vec<[bool; 2]>,
+    /// Surfaces and sides whose scattered rays are not propagated yet.
+    pending: Vec<(usize, Side)>,
 }
 
-impl<'s> Spread<'s> {
+impl<'s> Propagation<'s> {
     fn new(scene: &'s Scene, seen: Vec<Reachability>) -> Self {
         let surfaces = &scene.surfaces[..];
         Self {
             surfaces,
-            boxes: surfaces.iter().map(|it| met_within(&**it)).collect(),
+            boxes: surfaces.iter().map(|it| hit_bounds(&**it)).collect(),
             seen,
-            arrived: vec![[false; 2]; surfaces.len()],
-            waiting: Vec::new(),
+            marked: vec![[false; 2]; surfaces.len()],
+            pending: Vec::new(),
         }
     }
 
-    /// Rays arrive from the eye at all surfaces that it sees.
+    /// Marks the sides of visible surfaces at which camera rays arrive.
     fn arrive_from_eye(&mut self, eye: &Point) {
         for (index, surface) in self.surfaces.iter().enumerate() {
             for side in SIDES {
-                let is_here = surface.flat().is_none() || surface.side(eye) != other(side);
-                if self.seen[index] == Reachability::Directly && is_here {
+                let is_facing = surface.shape().carrier().is_none()
+                    || surface.shape().side(eye) != opposite(side);
+                if self.seen[index] == Reachability::Directly && is_facing {
                     self.arrive(index, side);
                 }
             }
         }
     }
 
-    /// Rays that arrived at one side of a surface go on to all that they can meet then.
+    /// Marks all surfaces that rays from one side of a surface can hit after it.
     fn send_on(&mut self, sender: usize, from: Side) {
         for (index, surface) in self.surfaces.iter().enumerate() {
-            let can_meet = |to: Side| {
+            let can_hit = |to: Side| {
                 let bounds = self.boxes[index].as_ref();
                 can_go(&*self.surfaces[sender], from, to, bounds)
             };
-            if index == sender || !SIDES.into_iter().any(can_meet) {
+            if index == sender || !SIDES.into_iter().any(can_hit) {
                 continue;
             }
             if self.seen[index] == Reachability::Never {
@@ -123,26 +124,26 @@ impl<'s> Spread<'s> {
             }
             for side in SIDES {
                 let start = self.boxes[sender].as_ref();
-                let flat = surface.flat();
-                if flat.is_none_or(|flat| !is_beyond(start, flat, other(side))) {
+                let flat = surface.shape().carrier();
+                if flat.is_none_or(|flat| !is_beyond(start, flat, opposite(side))) {
                     self.arrive(index, side);
                 }
             }
         }
     }
 
-    /// Rays arrive at one side of a surface, which may send them on.
+    /// Marks one side of a surface as hit; it is pending if the surface scatters.
     fn arrive(&mut self, index: usize, side: Side) {
-        let known = &mut self.arrived[index][usize::from(side == Side::Back)];
-        if sends_on(&*self.surfaces[index]) && !std::mem::replace(known, true) {
-            self.waiting.push((index, side));
+        let is_marked = &mut self.marked[index][usize::from(side == Side::Back)];
+        if sends_on(&*self.surfaces[index]) && !std::mem::replace(is_marked, true) {
+            self.pending.push((index, side));
         }
     }
 }
 
 const SIDES: [Side; 2] = [Side::Front, Side::Back];
 
-fn other(side: Side) -> Side {
+fn opposite(side: Side) -> Side {
     side.opposite().unwrap_or(side)
 }
 
@@ -150,19 +151,19 @@ fn sends_on(surface: &dyn Surface) -> bool {
     surface.common().material.sends_on()
 }
 
-/// A box in which a surface is met; `None` if it has no end.
-fn met_within(surface: &dyn Surface) -> Option<Bounds> {
-    let Bounds { min, max } = surface.bounds()?;
-    let beside = DVec3::splat(overhang(surface));
+/// The box in which a surface can be hit; `None` if it is unbounded.
+fn hit_bounds(surface: &dyn Surface) -> Option<Bounds> {
+    let Bounds { min, max } = surface.shape().bounds()?;
+    let margin = DVec3::splat(shared_border_error(surface));
     Some(Bounds {
-        min: min - beside,
-        max: max + beside,
+        min: min - margin,
+        max: max + margin,
     })
 }
 
-/// Whether a ray that arrives at a surface from one side can go on to one, and meet what is in a box there.
+/// Returns whether rays from one side of a surface can hit a box on another.
 fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -> bool {
-    let Some(flat) = sender.flat() else {
+    let Some(flat) = sender.shape().carrier() else {
         return true;
     };
     let material = &sender.common().material;
@@ -171,19 +172,21 @@ fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -
     } else {
         material.transparency > 0.0
     };
-    goes && !is_beyond(bounds, flat, other(to))
+    goes && !is_beyond(bounds, flat, opposite(to))
 }
 
-/// Whether all that is in a box lies strictly on this side of a plane, for certain: further from it, seen
-/// from anywhere on its way, than rounding can lead a ray astray. What has no box is everywhere.
+/// Returns whether a box certainly lies strictly on this side of a plane.
+///
+/// Its distance from the plane exceeds the rounding errors of rays. Unbounded surfaces have no box
+/// and lie on both sides.
 fn is_beyond(bounds: Option<&Bounds>, flat: &Flat, side: Side) -> bool {
     let Some(bounds) = bounds else {
         return false;
     };
     let base = Point::exact(flat.point).size();
     bounds.corners().into_iter().all(|corner| {
-        let (way, size) = Point::exact(corner).seen_from(flat.point);
-        let height = flat.normal.dot(way);
+        let (offset, size) = Point::exact(corner).seen_from(flat.point);
+        let height = flat.normal.dot(offset);
         let height = if side == Side::Front { height } else { -height };
         height > APART * (base + size) + flat.slack()
     })

@@ -1,15 +1,16 @@
-//! Why the light of a light never arrives at a surface.
+//! Reasons for which the light of a light never arrives at a surface.
 
 use serde::Serialize;
 
-use super::{Reachability, beam};
-use crate::accel::{Entry, LampView};
+use super::beam;
 use crate::light::{Beam, Light};
 use crate::math::{Point, Side};
-use crate::scene::Scene;
-use crate::surface::Surface;
+use crate::surface::{Lamp, Surface};
+use crate::visibility::Silhouette;
 
-/// Why the light of a light never arrives at a surface, so that no ray asks for it.
+/// The reason for which a light never arrives at a surface.
+///
+/// No shadow ray is traced then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unlit {
@@ -17,74 +18,74 @@ pub enum Unlit {
     Behind,
     /// The light has no emissivity.
     Dark,
-    /// The surface has neither a diffuse colour nor glints.
+    /// The surface has neither a diffuse colour nor specular highlights.
     Colorless,
     /// The surface lets all light through.
     Clear,
-    /// The surface is outside of the light's cone or slide, or not before the lamp.
+    /// The surface is outside of the light's cone or slide, or behind the lamp.
     OutsideBeam,
-    /// Nobody sees the surface.
+    /// No ray can hit the surface.
     Unseen,
 }
 
 impl Unlit {
-    /// What keeps each light from each surface. Unless savings are wanted, only the rules of the
-    /// picture are named.
-    pub(super) fn by_lights(
-        scene: &Scene,
-        seen: &[Reachability],
+    /// The reason that keeps a point light from a surface; `None` if it may arrive.
+    ///
+    /// `is_reached` is true if any ray can hit the surface. Unless `saves`, only rules that define
+    /// the picture count, and shortcuts do not.
+    pub(super) fn by_light(
+        light: &Light,
+        surface: &dyn Surface,
+        is_reached: bool,
         saves: bool,
-    ) -> Vec<Vec<Option<Self>>> {
-        let of_light = |light| {
-            let surfaces = scene.surfaces.iter().zip(seen);
-            surfaces
-                .map(|(surface, seen)| Self::reason(light, &**surface, seen.is_seen()))
-                .map(|why| why.filter(|why| saves || why.is_rule()))
-                .collect()
-        };
-        scene.lights.iter().map(of_light).collect()
-    }
-
-    /// What keeps each lamp from each surface, as [`by_lights`](Self::by_lights).
-    pub(super) fn by_lamps(
-        views: &[LampView<'_>],
-        entries: &[Entry<'_>],
-        seen: &[Reachability],
-        saves: bool,
-    ) -> Vec<Vec<Option<Self>>> {
-        let of_lamp = |view| {
-            let surfaces = entries.iter().zip(seen);
-            surfaces
-                .map(|(entry, seen)| Self::by_lamp(view, entry, seen.is_seen()))
-                .map(|why| why.filter(|why| saves || why.is_rule()))
-                .collect()
-        };
-        views.iter().map(of_lamp).collect()
-    }
-
-    /// The reason that keeps a light from a surface; `None` if it may light it. `is_seen` tells
-    /// whether any ray can meet the surface.
-    fn reason(light: &Light, surface: &dyn Surface, is_seen: bool) -> Option<Self> {
-        if Self::is_behind(light, surface) {
+    ) -> Option<Self> {
+        let shape = surface.shape();
+        let location = Point::exact(light.location);
+        // A rule, because for a light in the plane rounding could decide otherwise.
+        if shape.carrier().is_some() && shape.side(&location) != Side::Front {
             return Some(Self::Behind);
         }
-        let passes_by = || match (&light.beam, surface.bounds()) {
+        let misses = || match (&light.beam, shape.bounds()) {
             (Beam::Everywhere, _) | (_, None) => false,
-            (Beam::Cone(cone), Some(bounds)) => beam::cone_passes_by(light.location, cone, &bounds),
+            (Beam::Cone(cone), Some(bounds)) => beam::cone_misses(light.location, cone, &bounds),
             (Beam::Slide(slide), Some(bounds)) => {
-                beam::slide_passes_by(light.location, &slide.rectangle, &bounds)
+                beam::slide_misses(light.location, &slide.rectangle, &bounds)
             }
         };
         match Self::by_itself(surface) {
+            _ if !saves => None,
             _ if light.emissivity.is_black() => Some(Self::Dark),
             Some(own) => Some(own),
-            None if !is_seen => Some(Self::Unseen),
-            None if passes_by() => Some(Self::OutsideBeam),
+            None if !is_reached => Some(Self::Unseen),
+            None if misses() => Some(Self::OutsideBeam),
             None => None,
         }
     }
 
-    /// The reason that keeps the light of all lights from a surface: nothing could be seen of it.
+    /// The reason that keeps a lamp from a surface, as [`by_light`](Self::by_light).
+    ///
+    /// Both are given with their silhouettes.
+    pub(super) fn by_lamp(
+        (lamp, emitter): (&Lamp, &Silhouette),
+        (surface, receiver): (&dyn Surface, &Silhouette),
+        is_reached: bool,
+        saves: bool,
+    ) -> Option<Self> {
+        let [_, diffuse] = surface.brightest();
+        match () {
+            () if !emitter.is_in_front_of(receiver) => Some(Self::Behind),
+            () if !receiver.is_in_front_of(emitter) => Some(Self::OutsideBeam),
+            () if !saves => None,
+            () if lamp.emissivity().is_black() => Some(Self::Dark),
+            // Lamps make no specular highlights.
+            () if diffuse <= 0.0 => Some(Self::Colorless),
+            () if surface.common().material.transparency == 1.0 => Some(Self::Clear),
+            () if !is_reached => Some(Self::Unseen),
+            () => None,
+        }
+    }
+
+    /// The reason for which no point light is visible on a surface.
     #[must_use]
     pub fn by_itself(surface: &dyn Surface) -> Option<Self> {
         let [_, diffuse] = surface.brightest();
@@ -94,33 +95,5 @@ impl Unlit {
             () if material.transparency == 1.0 => Some(Self::Clear),
             () => None,
         }
-    }
-
-    /// The reason that keeps the light of a lamp from a surface, as [`reason`](Self::reason).
-    fn by_lamp(view: &LampView<'_>, entry: &Entry<'_>, is_seen: bool) -> Option<Self> {
-        let surface = entry.surface;
-        let [_, diffuse] = surface.brightest();
-        // Lamps make no glints.
-        let answers = diffuse > 0.0;
-        match () {
-            () if !view.lights(entry) && view.is_before(surface) => Some(Self::OutsideBeam),
-            () if !view.lights(entry) => Some(Self::Behind),
-            () if view.lamp.emissivity().is_black() => Some(Self::Dark),
-            () if !answers => Some(Self::Colorless),
-            () if entry.common.material.transparency == 1.0 => Some(Self::Clear),
-            () if !is_seen => Some(Self::Unseen),
-            () => None,
-        }
-    }
-
-    /// Whether this is a rule of the picture, not only a saving.
-    fn is_rule(self) -> bool {
-        self == Self::Behind
-    }
-
-    /// Whether a light is not before a flat surface: a rule of the picture, not only a saving, since
-    /// for a light in the plane itself rounding could say otherwise.
-    fn is_behind(light: &Light, surface: &dyn Surface) -> bool {
-        surface.flat().is_some() && surface.side(&Point::exact(light.location)) != Side::Front
     }
 }

@@ -9,10 +9,11 @@ use super::{
     textures,
 };
 use crate::camera::View;
+use crate::geometry::Rectangle;
 use crate::language::{Location, Node, Problem, Reference, Schema, Sources, Takes, ValueError};
 use crate::light::{Beam, Cone, Light, Slide};
 use crate::material::Material;
-use crate::math::{Rectangle, Rgb};
+use crate::math::Rgb;
 use crate::scene::{Lighting, RenderSettings, Scene};
 use crate::surface::{SCHEMAS, Surface, share};
 use crate::texture::Texture;
@@ -240,17 +241,13 @@ fn light(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Ligh
 }
 
 fn slide(node: &Node, parts: &Parts, problems: &mut Vec<Problem>) -> Option<Slide> {
-    let (normal, xdir) = (node.triple("normal"), node.triple("xdir"));
-    let rectangle = Rectangle::new(node.triple("point"), normal, xdir, node.pair("dimensions"));
-    let rectangle = accepted(node, rectangle, problems);
+    let rectangle = accepted(node, Rectangle::from_node(node), problems);
     let image = textures::map(node, parts, problems);
     let (image, texel_given) = image?;
     Some(Slide {
         rectangle: rectangle?,
         image,
         texel_given,
-        given_normal: normal,
-        given_xdir: xdir,
     })
 }
 

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use super::build::{Parts, accepted};
 use super::textures;
+use crate::geometry::{Ellipsoid, Plane, Rectangle, Shape, Sphere, Triangle};
 use crate::language::{Node, Problem, Value, ValueError};
+use crate::material::Material;
 use crate::surface::{
-    Common, Ellipsoid, FinitePlane, Lamp, Plane, ProceduralPlane, Shader, Shadows, Sphere, Surface,
-    TexturePlane, TileStart, TiledPlane, Triangle,
+    Common, Lamp, Plain, ProceduralPlane, Shader, Shadows, Surface, Textured, TileStart, TiledPlane,
 };
-use crate::texture::Texture;
 
 /// The surface that a node describes; `None` if it cannot exist, which is then a problem.
 pub(super) fn surface(
@@ -52,53 +52,34 @@ fn with_material(
         shadows,
         location: node.location,
     };
-    let (point, normal) = (|| node.triple("point"), || node.triple("normal"));
-
     Some(match node.schema.word {
         "plane" => {
-            let plane = Plane::new(common(material?), point(), normal());
-            boxed(plane.and_then(|plane| plane.near(parts.eye)))
+            let plane = Plane::from_node(node).and_then(|plane| plane.near(parts.eye));
+            plain(common(material?), plane)
         }
-        "finite-plane" => boxed(finite_plane(node, common(material?))),
+        "finite-plane" => plain(common(material?), Rectangle::from_node(node)),
+        "triangle" => plain(common(material?), Triangle::from_node(node)),
+        "sphere" => globe(node, parts, common, material, Sphere::from_node)?,
+        "ellipsoid" => globe(node, parts, common, material, Ellipsoid::from_node)?,
         "tiled-plane" => {
             let alternate = parts.materials.find(node, "alternate");
-            let plane = Plane::new(common(material?), point(), normal());
             let start = TileStart::from_word(&node.text("start")).unwrap_or_default();
-            let (xdir, tile, alternate) =
-                (node.triple("xdir"), node.pair("dimensions"), alternate?);
-            boxed(plane.and_then(|plane| TiledPlane::new(plane, xdir, tile, start, alternate)))
+            let (xdir, tile) = (node.triple("xdir"), node.pair("dimensions"));
+            let (common, alternate) = (common(material?), alternate?);
+            let plane = Plane::from_node(node);
+            boxed(plane.and_then(|it| TiledPlane::new(common, it, xdir, tile, start, alternate)))
         }
         "texture-plane" => {
             let image = textures::map(node, parts, problems);
-            let plane = finite_plane(node, common(material?));
+            let common = common(material?);
+            let rectangle = Rectangle::from_node(node);
             let (image, texel_given) = image?;
-            boxed(plane.map(|plane| TexturePlane::new(plane, image, texel_given)))
+            boxed(rectangle.map(|it| Textured::plane(common, it, image, texel_given)))
         }
         "procedural-plane" => {
             let shader = Shader::from_word(&node.text("shader"))?;
-            let plane = Plane::new(common(material?), point(), normal());
-            boxed(plane.map(|plane| ProceduralPlane::new(plane, shader)))
-        }
-        "sphere" => {
-            let texture = wrapped(node, parts)?;
-            let (center, radius) = (node.triple("center"), node.number("radius"));
-            boxed(Sphere::new(common(material?), center, radius, texture))
-        }
-        "ellipsoid" => {
-            let texture = wrapped(node, parts)?;
-            let (center, radius) = (node.triple("center"), node.number("radius"));
-            let scale = node.triple("scale");
-            boxed(Ellipsoid::new(
-                common(material?),
-                center,
-                radius,
-                scale,
-                texture,
-            ))
-        }
-        "triangle" => {
-            let vertices = ["vertex1", "vertex2", "vertex3"].map(|word| node.triple(word));
-            boxed(Triangle::new(common(material?), vertices))
+            let common = common(material?);
+            boxed(Plane::from_node(node).map(|it| ProceduralPlane::new(common, it, shader)))
         }
         other => unreachable!("the surface list has {other:?}, this match has no arm for it"),
     })
@@ -110,21 +91,27 @@ fn boxed<S: Surface + 'static>(
     made.map(|surface| Box::new(surface) as Box<dyn Surface>)
 }
 
-fn finite_plane(node: &Node, common: Common) -> Result<FinitePlane, ValueError> {
-    let (point, normal) = (node.triple("point"), node.triple("normal"));
-    FinitePlane::new(
-        common,
-        point,
-        normal,
-        node.triple("xdir"),
-        node.pair("dimensions"),
-    )
+fn plain(
+    common: Common,
+    shape: Result<impl Into<Shape>, ValueError>,
+) -> Result<Box<dyn Surface>, ValueError> {
+    boxed(shape.map(|shape| Plain::new(common, shape)))
 }
 
-/// The texture of a round thing, which may have none; the outer `None` if it cannot be had.
-fn wrapped(node: &Node, parts: &Parts) -> Option<Option<Arc<Texture>>> {
+/// A round surface, with a texture around it if the node names one.
+fn globe<S: Into<Shape>>(
+    node: &Node,
+    parts: &Parts,
+    common: impl FnOnce(Arc<Material>) -> Common,
+    material: Option<Arc<Material>>,
+    shape: fn(&Node) -> Result<S, ValueError>,
+) -> Option<Result<Box<dyn Surface>, ValueError>> {
     if node.entry("texture").is_none() {
-        return Some(None);
+        return Some(plain(common(material?), shape(node)));
     }
-    parts.textures.find(node, "texture").map(Some)
+    let texture = parts.textures.find(node, "texture")?;
+    let common = common(material?);
+    Some(boxed(
+        shape(node).map(|shape| Textured::globe(common, shape, texture)),
+    ))
 }

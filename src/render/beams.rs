@@ -1,67 +1,68 @@
-//! The rays around a ray, from the eye and behind surfaces, and what they see of textures.
+//! Ray differentials: the footprints of camera rays, reflected and transmitted rays.
 
 use glam::DVec3;
 
+use super::tracer::Interaction;
 use super::{RayKind, Tracer};
-use crate::accel::Entry;
 use crate::camera::{Pattern, Places, Share};
-use crate::math::{Beam, Ray, Rgb};
-use crate::surface::Hit;
+use crate::geometry::Hit;
+use crate::math::{Beam, Rgb};
 use crate::texture::Filter;
+use crate::visibility::Primitive;
 
 impl Tracer<'_> {
-    /// The beam from the eye through a place of the picture: through the ray's share of its pixel.
+    /// The ray differential of the camera ray through a raster position.
     ///
-    /// An area is the same wherever in it the ray is, so the mean over all areas is that over the pixel if
-    /// they are its parts. Filters that look at one place look where the ray goes.
+    /// It covers the ray's share of its pixel. With the exact filter the shares are cells that tile
+    /// the pixel, so the mean over all of them is the mean over the pixel. Other filters centre the
+    /// share on the ray.
     #[cold]
     pub(super) fn beam(&self, x: f64, y: f64) -> Beam {
-        let picture = &self.plan.scene.settings;
+        let settings = &self.plan.scene.settings;
         let pattern = match self.plan.outlines {
             Some(_) => Pattern::Sobol,
-            None => picture.pattern,
+            None => settings.pattern,
         };
-        let pixel = [x, y].map(|place| (place + 0.5).floor());
-        let place = [x - pixel[0], y - pixel[1]];
+        let pixel = [x, y].map(|coordinate| (coordinate + 0.5).floor());
+        let offset = [x - pixel[0], y - pixel[1]];
         let share = match self.plan.filter {
-            // Which pixel it is does not matter to the cells.
-            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(place),
-            _ => Share::around(place, self.rays),
+            // The cells are the same in every pixel.
+            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(offset),
+            _ => Share::around(offset, self.rays),
         };
         let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
         self.plan.camera.beam(middle, share.sides)
     }
 
-    /// What a beam shows of the texture of what it meets.
+    /// The filtered texel of a surface over the footprint of a ray.
     #[cold]
-    pub(super) fn texel_over(&self, entry: &Entry<'_>, hit: &Hit, beam: &Beam) -> Rgb {
+    pub(super) fn texel_over(&self, primitive: &Primitive<'_>, hit: &Hit, beam: &Beam) -> Rgb {
         let filter = self.plan.filter;
         filter.map_or(hit.texel, |filter| {
-            entry.surface.texel_over(hit, beam, filter)
+            primitive.surface.texel_over(hit, beam, filter)
         })
     }
 
-    /// The beam behind a surface that a ray met, of which rays go on in this direction.
+    /// The ray differential of a ray that a surface reflects or transmits.
     ///
-    /// Straight through is the same beam; behind a flat mirror it is exact, behind a round one right
-    /// to first order. Where light is bent, the beam is as wide as if it were not.
+    /// It is unchanged straight through a surface, exact behind a flat mirror, and correct to first
+    /// order behind a round one. A refracted one keeps the width that it has without refraction.
     #[cold]
     pub(super) fn onward(
         &self,
         beam: &Beam,
-        entry: &Entry<'_>,
-        (ray, hit): (&Ray, &Hit),
-        (kind, onward): (RayKind, DVec3),
+        at: &Interaction<'_, '_>,
+        kind: RayKind,
+        onward: DVec3,
     ) -> Beam {
-        // Classic surfaces have no shape to ask for.
-        let surface = &self.plan.scene.surfaces[entry.index];
-        match (kind, surface.flat(), surface.round()) {
-            (RayKind::Mirror, Some(flat), _) => beam.mirrored_by(flat),
+        let shape = at.primitive.surface.shape();
+        match (kind, shape.carrier(), shape.round()) {
+            (RayKind::Mirror, Some(plane), _) => beam.mirrored_by(plane),
             (RayKind::Mirror, None, Some([center, axes])) => {
-                beam.mirrored_at(hit.point.about(center), hit.normal, axes)
+                beam.mirrored_at(at.hit.point.about(center), at.hit.normal, axes)
             }
-            _ if onward == ray.dir => *beam,
-            _ => beam.turned(hit.point, onward),
+            _ if onward == at.ray.dir => *beam,
+            _ => beam.turned(at.hit.point, onward),
         }
     }
 }

@@ -1,41 +1,45 @@
-//! What can be said of how right a picture is.
+//! The certificate of a picture: its largest errors.
 
 use std::iter::Sum;
 
-use super::{Errors, Probe, RayKind, Unfollowed};
-use crate::surface::Hit;
+use super::{Event, Probe, Unfollowed};
 
-/// What can be said of how right a picture is: the largest errors.
+/// The largest errors of a picture.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Certificate {
-    /// The largest error of a hit that the eye sees directly, in world units.
+    /// The largest error bound of the hit of a camera ray, in world units.
     pub largest_error: f64,
-    /// How much at most a ray could have added that was not followed because its ray from the eye had
-    /// caused as many as it may; infinite if nothing bounds it.
+    /// The largest bound of the light that a capped ray could have added to its pixel.
+    ///
+    /// A ray is capped if its camera ray has caused the largest number of rays. Infinite if there
+    /// is no bound.
     pub largest_residual: f64,
-    /// The largest estimate for hits that it sees in mirrors and through panes, in world units;
-    /// infinite if rounding may have led a ray anywhere.
+    /// The largest estimated error of a reflected or transmitted ray's hit.
+    ///
+    /// In world units. Infinite if there is no estimate.
     pub largest_bounced_error: f64,
 }
 
 impl Probe for Certificate {
-    fn not_followed(&mut self, _kind: RayKind, why: Unfollowed) {
-        if let Unfollowed::Capped(missed) = why {
-            self.largest_residual = self.largest_residual.max(missed);
+    fn on(&mut self, event: Event<'_>) {
+        match event {
+            Event::NotFollowed(_, Unfollowed::Capped(missed)) => {
+                self.largest_residual = self.largest_residual.max(missed);
+            }
+            Event::Hit(_, _, errors) => {
+                let largest = if errors.bounces == 0 {
+                    &mut self.largest_error
+                } else {
+                    &mut self.largest_bounced_error
+                };
+                *largest = largest.max(errors.place);
+            }
+            _ => {}
         }
     }
 
     fn follows_errors(&self) -> bool {
         true
-    }
-
-    fn met(&mut self, _surface: usize, _hit: &Hit, errors: Errors) {
-        let largest = if errors.bounces == 0 {
-            &mut self.largest_error
-        } else {
-            &mut self.largest_bounced_error
-        };
-        *largest = largest.max(errors.place);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Scene to film: pixels in parallel, the colour along one ray.
+//! Rendering: pixels in parallel, and the colour along each ray.
 
 mod adaptive;
 mod beams;
@@ -24,7 +24,7 @@ pub use both::Both;
 pub use certificate::Certificate;
 pub use counts::Counts;
 pub use errors::Errors;
-pub use probe::{Arrival, Probe, RayKind, Unfollowed};
+pub use probe::{Arrival, Event, Probe, RayKind, Unfollowed};
 pub use scattering::Scattering;
 pub use thread_work::ThreadWork;
 pub use tracer::Tracer;
@@ -41,134 +41,139 @@ use crate::film::{EncodedImage, Film, Format, Region};
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
-use crate::scene::{RenderSettings, Scene};
-use crate::surface::classic;
+use crate::scene::Scene;
 
-/// Stack of a thread that renders, in bytes: room for the longest path of mirrored rays.
+/// The stack size of a thread that renders, in bytes.
+///
+/// It has room for the longest path.
 pub const STACK: usize = 16 << 20;
 
 /// Renders a scene on the current thread pool, and counts the work.
 ///
-/// `progress` is told how many of the picture's rows are done; it may be called from any thread.
-/// The film does not depend on the number of threads.
+/// `progress` is called with the number of finished rows, from any thread. The film does not depend
+/// on the number of threads.
 ///
 /// # Errors
-/// Refuses a camera that cannot exist and a picture that memory cannot hold.
+/// Returns an error for a camera that cannot exist, and for a picture that memory cannot hold.
 pub fn render(
     scene: &Scene,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(Film, Counts), ValueError> {
-    observed(scene, Scope::CalledFor, progress)
+    Render::new(scene).progress(progress).film()
 }
 
-/// Renders a scene like [`render`], and finds out how right the picture is.
-///
-/// # Errors
-/// As [`render`].
-pub fn certify(
-    scene: &Scene,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, Both<Counts, Certificate>), ValueError> {
-    observed(scene, Scope::CalledFor, progress)
-}
-
-/// Renders a scene with an onlooker of any kind for each row of pixels, and adds up what they saw;
-/// neither the film nor the sum depends on the number of threads.
-///
-/// # Errors
-/// As [`render`].
-pub fn observed<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
-    scope: Scope,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    observed_part(scene, scope, whole(&scene.settings), progress)
-}
-
-/// Renders a part of a scene's picture, of which every pixel is as in the whole; for the rest as
-/// [`observed`].
-///
-/// # Errors
-/// As [`render`]; and refuses a part that is not one.
-pub fn observed_part<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
+/// A picture to be rendered: a scene, and the part and scope of it.
+#[expect(
+    missing_debug_implementations,
+    reason = "a function has no form to show"
+)]
+#[derive(Clone, Copy)]
+pub struct Render<'a> {
+    scene: &'a Scene,
     scope: Scope,
     part: Region,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    part.check_within([scene.settings.width, scene.settings.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    drawn_part(
-        &Plan::new(scene, classic.as_deref(), scope)?,
-        part,
-        progress,
-    )
+    progress: &'a (dyn Fn(usize) + Sync),
 }
 
-/// Renders a scene as it is planned; for the rest as [`observed`].
-///
-/// # Errors
-/// Refuses a picture that memory cannot hold.
-pub fn drawn<P: Probe + Default + Send + Sum>(
-    plan: &Plan<'_>,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    drawn_part(plan, whole(&plan.scene.settings), progress)
-}
-
-fn drawn_part<P: Probe + Default + Send + Sum>(
-    plan: &Plan<'_>,
-    part: Region,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(Film, P), ValueError> {
-    let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
-    let painter = Painter::new(plan, part, progress);
-    let together = part.width * painter.together;
-    let rows = film.pixels_mut().par_chunks_mut(together).enumerate();
-    let seen = rows
-        .map(|(number, pixels)| painter.paint(number * painter.together, pixels))
-        .sum();
-    Ok((film, seen))
-}
-
-/// Renders a part of a scene's picture like [`observed_part`], but keeps nothing but what a file of this
-/// format holds.
-///
-/// # Errors
-/// As [`observed_part`].
-pub fn printed_part<P: Probe + Default + Send + Sum>(
-    scene: &Scene,
-    scope: Scope,
-    part: Region,
-    format: Format,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(EncodedImage, P), ValueError> {
-    part.check_within([scene.settings.width, scene.settings.height])?;
-    let classic = classic::surfaces(&scene.surfaces, scene.settings.numerics);
-    let plan = Plan::new(scene, classic.as_deref(), scope)?;
-    let encoding = scene.settings.encoding();
-    let print = EncodedImage::new([part.width, part.height], format, encoding);
-    let mut print = print.ok_or_else(|| no_memory(part))?;
-    let painter = Painter::new(&plan, part, progress);
-    let rows = print.rows().chunks(painter.together).enumerate();
-    let paper = || vec![Rgb::BLACK; part.width * painter.together];
-    let seen = rows.map_init(paper, |pixels, (number, kept)| {
-        let pixels = &mut pixels[..part.width * kept.len()];
-        let seen = painter.paint(number * painter.together, pixels);
-        for (mut kept, pixels) in kept.into_iter().zip(pixels.chunks(part.width)) {
-            kept.encode_row(pixels);
+impl<'a> Render<'a> {
+    /// The whole picture of a scene, with the effects that contribute to it.
+    #[must_use]
+    pub fn new(scene: &'a Scene) -> Self {
+        Self {
+            scene,
+            scope: Scope::CalledFor,
+            part: Region::whole([scene.settings.width, scene.settings.height]),
+            progress: &|_| (),
         }
-        seen
-    });
-    let seen = seen.sum();
-    Ok((print, seen))
+    }
+
+    /// Sets the scope.
+    #[must_use]
+    pub fn scope(self, scope: Scope) -> Self {
+        Self { scope, ..self }
+    }
+
+    /// Sets the part of the picture; its pixels are the same as in the whole picture.
+    #[must_use]
+    pub fn part(self, part: Region) -> Self {
+        Self { part, ..self }
+    }
+
+    /// Calls a function with the number of finished rows, from any thread.
+    #[must_use]
+    pub fn progress(self, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self { progress, ..self }
+    }
+
+    /// Renders the picture with one probe for each group of rows, and sums the probes.
+    ///
+    /// Neither depends on the number of threads.
+    ///
+    /// # Errors
+    /// Returns an error for a camera that cannot exist, for a part outside of the picture, and for a
+    /// picture that memory cannot hold.
+    pub fn film<P: Probe + Default + Send + Sum>(self) -> Result<(Film, P), ValueError> {
+        self.planned(&self.plan()?)
+    }
+
+    /// Renders the picture like [`film`](Self::film), with a given plan of its scene.
+    ///
+    /// # Errors
+    /// Returns an error for a picture that memory cannot hold.
+    pub fn planned<P: Probe + Default + Send + Sum>(
+        self,
+        plan: &Plan<'_>,
+    ) -> Result<(Film, P), ValueError> {
+        let part = self.part;
+        let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
+        let painter = Painter::new(plan, part, self.progress);
+        let pixels_per_task = part.width * painter.rows_per_task;
+        let rows = film
+            .pixels_mut()
+            .par_chunks_mut(pixels_per_task)
+            .enumerate();
+        let observed = rows
+            .map(|(number, pixels)| painter.paint(number * painter.rows_per_task, pixels))
+            .sum();
+        Ok((film, observed))
+    }
+
+    /// Renders like [`film`](Self::film), and keeps only the numbers of a file format.
+    ///
+    /// # Errors
+    /// As [`film`](Self::film).
+    pub fn encoded<P: Probe + Default + Send + Sum>(
+        self,
+        format: Format,
+    ) -> Result<(EncodedImage, P), ValueError> {
+        let (plan, part) = (self.plan()?, self.part);
+        let encoding = self.scene.settings.encoding();
+        let image = EncodedImage::new([part.width, part.height], format, encoding);
+        let mut image = image.ok_or_else(|| no_memory(part))?;
+        let painter = Painter::new(&plan, part, self.progress);
+        let rows = image.rows().chunks(painter.rows_per_task).enumerate();
+        let blank = || vec![Rgb::BLACK; part.width * painter.rows_per_task];
+        let observed = rows.map_init(blank, |pixels, (number, encoded)| {
+            let pixels = &mut pixels[..part.width * encoded.len()];
+            let observed = painter.paint(number * painter.rows_per_task, pixels);
+            for (mut row, pixels) in encoded.into_iter().zip(pixels.chunks(part.width)) {
+                row.encode_row(pixels);
+            }
+            observed
+        });
+        let observed = observed.sum();
+        Ok((image, observed))
+    }
+
+    /// The plan of the scene, if the part lies in its picture.
+    fn plan(&self) -> Result<Plan<'a>, ValueError> {
+        let settings = &self.scene.settings;
+        self.part.check_within([settings.width, settings.height])?;
+        Plan::new(self.scene, self.scope)
+    }
 }
 
-fn whole(picture: &RenderSettings) -> Region {
-    Region::whole([picture.width, picture.height])
-}
-
-/// The refusal of a picture that memory cannot hold.
+/// The error for a picture that memory cannot hold.
 #[must_use]
 pub fn no_memory(part: Region) -> ValueError {
     let Region { width, height, .. } = part;
@@ -176,35 +181,36 @@ pub fn no_memory(part: Region) -> ValueError {
     ValueError::new("image", reason, "choose a smaller picture")
 }
 
-/// What draws the rows of a part of a picture.
+/// The renderer of the rows of a part of a picture.
 struct Painter<'a> {
     plan: &'a Plan<'a>,
     part: Region,
     progress: &'a (dyn Fn(usize) + Sync),
     adaptive: Option<Adaptive<'a>>,
-    /// How many rows are drawn by one thread at once.
-    together: usize,
-    /// The number of rows that are done.
-    done: AtomicUsize,
+    /// The number of rows in one task.
+    rows_per_task: usize,
+    /// The number of finished rows.
+    finished: AtomicUsize,
 }
 
 impl<'a> Painter<'a> {
     fn new(plan: &'a Plan<'a>, part: Region, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
-        // Pixels look at those around them, so rows are best drawn together then.
-        const TOGETHER: usize = 16;
+        // Adaptive pixels sample their neighbours too, so groups of rows share that work.
+        const ROWS_PER_TASK: usize = 16;
         let adaptive = Adaptive::new(Tracer::new(plan), plan);
         Self {
             plan,
             part,
             progress,
             adaptive,
-            together: if adaptive.is_some() { TOGETHER } else { 1 },
-            done: AtomicUsize::new(0),
+            rows_per_task: if adaptive.is_some() { ROWS_PER_TASK } else { 1 },
+            finished: AtomicUsize::new(0),
         }
     }
 
-    /// Gives the pixels of some rows of the part, from this one on, their colours, and tells what was
-    /// seen.
+    /// Renders the pixels of some rows of the part, and returns the probe.
+    ///
+    /// `row` is the first of them, counted in the part.
     fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
         let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
         let rows = Region {
@@ -224,14 +230,15 @@ impl<'a> Painter<'a> {
             }
         }
         before.tell(&mut probe);
-        let done = self.done.fetch_add(rows.height, Ordering::Relaxed);
+        let done = self.finished.fetch_add(rows.height, Ordering::Relaxed);
         (self.progress)(done + rows.height);
         probe
     }
 }
 
-/// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
-/// samples, unclamped, summed in their order.
+/// The colour of a pixel, counted from the top left, from 0.
+///
+/// It is the unclamped mean of the pixel's samples, summed in order.
 pub fn pixel_color(
     tracer: Tracer<'_>,
     scene: &Scene,
@@ -245,7 +252,7 @@ pub fn pixel_color(
     uniform(tracer, scene, column, row, probe)
 }
 
-/// The colour of a pixel of a picture that asks for the same number of rays everywhere.
+/// The colour of a pixel with a fixed number of rays.
 fn uniform(
     tracer: Tracer<'_>,
     scene: &Scene,

@@ -1,164 +1,123 @@
-//! Onlookers: what the tracer does, seen from outside.
+//! Probes: observers of the tracer's events.
 
 use super::Errors;
+use crate::geometry::Hit;
 use crate::math::{Decisions, Rgb};
-use crate::surface::Hit;
 
-/// The kinds of rays.
+/// The type of a ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RayKind {
-    /// From the eye.
+    /// From the camera.
     Camera,
     /// From a surface to a light.
     Shadow,
     /// From a surface to a point of a lamp.
     Lamp,
-    /// Mirrored by a surface.
+    /// Reflected by a surface.
     Mirror,
-    /// Through a surface, straight on or bent.
+    /// Through a surface, straight on or refracted.
     Transmitted,
 }
 
-/// Why a ray is not followed.
+/// The reason for which a ray is not followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unfollowed {
-    /// The way from the eye is longer than the scene's `reach`.
+    /// The path from the camera is longer than the scene's `reach`.
     BeyondReach,
-    /// It could add no more than this to its pixel, and so much may be missing by the `cut-off`.
+    /// It could add at most this to its pixel, which is within the `cut-off`.
     TooFaint(f64),
-    /// Its ray from the eye has caused as many others as it may; it could have added this much.
+    /// Its camera ray has no rays left; it could have added this much.
     Capped(f64),
 }
 
-/// What arrives at a surface from a light or a lamp.
+/// The light that arrives at a surface from a light or a lamp.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Arrival {
-    /// The plan says that the light cannot light the surface.
+    /// None: the plan has proven that the light cannot light the surface.
     Unplanned,
-    /// The light is in the very place that is lit, so that no direction leads to it.
+    /// None: the light is at the hit point, so no direction leads to it.
     Here,
-    /// The light, or all of the lamp, is behind the surface.
+    /// None: the light, or all of the lamp, is behind the surface.
     Behind,
-    /// The surface has no colour here that answers to a lamp.
+    /// None: the surface has no diffuse colour here for a lamp to light.
     Colorless,
-    /// The beam passes by.
+    /// None: the point is outside of the light's beam.
     OutsideBeam,
-    /// Something stands in the way.
+    /// None: an occluder blocks it.
     Hidden,
-    /// This light; no ray was needed to know that nothing stands in the way if it is `unasked`.
+    /// The light of a point light.
     Light {
-        /// What arrives.
+        /// The colour that arrives.
         color: Rgb,
-        /// Whether the plan says that nothing can stand in the way.
+        /// True if it is proven that no occluder blocks it, so that no ray was sent.
         unasked: bool,
     },
-    /// This of a lamp; without a ray if all of it is known to pass, or nothing.
+    /// The light of a lamp.
     Lamp {
-        /// What arrives, shadows included: by how much it lights white chalk.
+        /// The irradiance, shadows included: the light on a white diffuse surface.
         color: Rgb,
-        /// The share of the lamp's light that passes what stands in its way.
+        /// The transmittance from the lamp.
         passed: Rgb,
     },
 }
 
-/// Someone who is told what the tracer does. `()` does not listen and costs nothing.
+/// An event of the tracer.
+///
+/// Surfaces are numbered as in the scene's list. Lamps are numbered after the lights.
+#[derive(Debug, Clone, Copy)]
+pub enum Event<'e> {
+    /// A ray starts; its surface passes on this share of its colour.
+    Ray(RayKind, Rgb),
+    /// A ray does not start.
+    NotFollowed(RayKind, Unfollowed),
+    /// The last ray that has not returned hits a surface, with these errors.
+    Hit(usize, &'e Hit, Errors),
+    /// Light arrives there from a light or a lamp.
+    Light(usize, Arrival),
+    /// The surface's own colour there, faded: ambient and lit.
+    OwnColor {
+        /// The whole colour.
+        color: Rgb,
+        /// The part of it that comes from lamps.
+        of_lamps: Rgb,
+    },
+    /// The share of the own colour that counts; the rest is reflected or transmitted.
+    OwnShare(f64),
+    /// That ray returns with this colour.
+    Returned(Rgb),
+    /// The number of surfaces that were tested for hits.
+    HitTests(u64),
+    /// A light or a lamp, and the number of its occluders that were tested.
+    OcclusionTests(usize, u64),
+    /// Some tests were not decided by rounded values.
+    Decisions(Decisions),
+    /// The number of texels that were fetched from images.
+    TexelFetches(u64),
+}
+
+/// An observer of the tracer; `()` ignores all events and costs nothing.
 pub trait Probe {
-    /// A ray sets out; of what it brings back, its surface passes this share on.
-    fn ray(&mut self, _kind: RayKind, _share: Rgb) {}
-    /// A ray does not set out.
-    fn not_followed(&mut self, _kind: RayKind, _why: Unfollowed) {}
-    /// Whether it has to be told how far off hits may be; it costs a little to know.
+    /// Observes an event.
+    fn on(&mut self, event: Event<'_>);
+
+    /// Returns whether the tracer computes the errors of hits, at a small cost.
     fn follows_errors(&self) -> bool {
         false
     }
-    /// Whether all that it hears are counts; then many rays may be told of at once.
-    fn only_counts(&self) -> bool {
-        false
-    }
-    /// The ray that set out last and has not come back yet meets the surface with this place in the
-    /// list, and how far off that may be.
-    fn met(&mut self, _surface: usize, _hit: &Hit, _errors: Errors) {}
-    /// What arrives where that ray has met a surface from one of the scene's lights, or of its lamps,
-    /// which are counted on from the lights.
-    fn light(&mut self, _light: usize, _arrival: Arrival) {}
-    /// What the surface itself sends back to the eye, faded: its ambient colour, and that of all
-    /// lights and lamps; and what of it the lamps give, or the lamp that the surface is.
-    fn own_color(&mut self, _color: Rgb, _of_lamps: Rgb) {}
-    /// Only this share of that counts, since the surface mirrors the rest of the light or lets it
-    /// through.
-    fn own_share(&mut self, _share: f64) {}
-    /// That ray comes back with this colour, before its surface takes its share.
-    fn came_back(&mut self, _color: Rgb) {}
-    /// Surfaces that were asked whether a ray meets them.
-    fn hit_tests(&mut self, _count: u64) {}
-    /// Surfaces that were asked whether they hide one of the scene's lights, or a point of one of its
-    /// lamps, which are counted on from the lights.
-    fn occlusion_tests(&mut self, _light: usize, _count: u64) {}
-    /// What of that rounded values could not decide.
-    fn decisions(&mut self, _decisions: Decisions) {}
-    /// Texels that were fetched from images, for surfaces that are seen, panes that tint a light, and
-    /// slides.
-    fn texel_fetches(&mut self, _count: u64) {}
 }
 
 impl Probe for () {
-    fn only_counts(&self) -> bool {
-        true
-    }
+    fn on(&mut self, _event: Event<'_>) {}
 }
 
-/// An onlooker that somebody else keeps.
 impl<P: Probe + ?Sized> Probe for &mut P {
-    fn ray(&mut self, kind: RayKind, share: Rgb) {
-        (**self).ray(kind, share);
-    }
-
-    fn not_followed(&mut self, kind: RayKind, why: Unfollowed) {
-        (**self).not_followed(kind, why);
+    #[inline(always)]
+    fn on(&mut self, event: Event<'_>) {
+        (**self).on(event);
     }
 
     fn follows_errors(&self) -> bool {
         (**self).follows_errors()
-    }
-
-    fn only_counts(&self) -> bool {
-        (**self).only_counts()
-    }
-
-    fn met(&mut self, surface: usize, hit: &Hit, errors: Errors) {
-        (**self).met(surface, hit, errors);
-    }
-
-    fn light(&mut self, light: usize, arrival: Arrival) {
-        (**self).light(light, arrival);
-    }
-
-    fn own_color(&mut self, color: Rgb, of_lamps: Rgb) {
-        (**self).own_color(color, of_lamps);
-    }
-
-    fn own_share(&mut self, share: f64) {
-        (**self).own_share(share);
-    }
-
-    fn came_back(&mut self, color: Rgb) {
-        (**self).came_back(color);
-    }
-
-    fn hit_tests(&mut self, count: u64) {
-        (**self).hit_tests(count);
-    }
-
-    fn occlusion_tests(&mut self, light: usize, count: u64) {
-        (**self).occlusion_tests(light, count);
-    }
-
-    fn decisions(&mut self, decisions: Decisions) {
-        (**self).decisions(decisions);
-    }
-
-    fn texel_fetches(&mut self, count: u64) {
-        (**self).texel_fetches(count);
     }
 }
 
@@ -168,16 +127,15 @@ mod tests {
     use crate::render::{Both, Certificate, Counts};
 
     #[test]
-    fn what_an_onlooker_asks_for_does_not_depend_on_who_keeps_it() {
-        /// As the tracer asks, of what somebody lends it.
-        fn asks_for(probe: &mut impl Probe) -> [bool; 2] {
-            [probe.only_counts(), probe.follows_errors()]
+    fn a_borrowed_probe_asks_for_the_same() {
+        fn follows(probe: &mut impl Probe) -> bool {
+            probe.follows_errors()
         }
         let (mut counts, mut certificate) = (Counts::default(), Certificate::default());
-        assert_eq!(asks_for(&mut counts), [true, false]);
-        assert_eq!(asks_for(&mut &mut counts), [true, false]);
-        assert_eq!(asks_for(&mut Both(&mut counts, ())), [true, false]);
-        assert_eq!(asks_for(&mut certificate), [false, true]);
-        assert_eq!(asks_for(&mut Both(counts, certificate)), [false, true]);
+        assert!(!follows(&mut counts));
+        assert!(!follows(&mut &mut counts));
+        assert!(!follows(&mut Both(&mut counts, ())));
+        assert!(follows(&mut certificate));
+        assert!(follows(&mut Both(counts, certificate)));
     }
 }

@@ -1,137 +1,123 @@
-//! Rows of the picture, one ray for each pixel, in stretches of which much is known at once.
+//! Rows of pixels with one camera ray each, decided span by span where possible.
 
 use super::tracer::nothing;
-use super::{Probe, RayKind, Seed, Tracer};
-use crate::accel::{Ahead, Entry};
+use super::{Event, Probe, RayKind, Seed, Tracer};
 use crate::camera::PixelSpan;
 use crate::film::Region;
-use crate::math::{Crossings, Distances, Rgb};
+use crate::math::{Crossings, Rgb};
+use crate::visibility::{Primitive, Visible};
 
-/// The most pixels in a stretch. Fewer, and what is found out about each is seldom used; more, and in
-/// more of them several surfaces can be seen.
+/// The largest number of pixels in a span.
+///
+/// With fewer pixels, the decision about a span saves less. With more, several surfaces are visible
+/// in more of the spans.
 const LONGEST: usize = 32;
 
 impl<'a> Tracer<'a> {
-    /// Gives the pixels of a part of the picture their colours, each by one ray through its centre.
+    /// Draws a part of the picture, with one ray through the centre of each pixel.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
         let height = self.plan.scene.settings.height as usize;
         for (number, pixels) in pixels.chunks_mut(part.width).enumerate() {
             // The picture's rows are counted from the top, the camera's from the bottom.
             let from_bottom = height - 1 - (part.top + number);
-            let row = self.plan.camera.row(f64::from(small(from_bottom)));
-            let mut first = small(part.left);
+            let row = self.plan.camera.row(f64::from(to_u32(from_bottom)));
+            let mut first = to_u32(part.left);
             for pixels in pixels.chunks_mut(LONGEST) {
-                let stretch = PixelSpan {
+                let span = PixelSpan {
                     row: &row,
                     first,
-                    count: small(pixels.len()),
+                    count: to_u32(pixels.len()),
                 };
-                self.draw_stretch(&stretch, pixels, probe);
-                first += stretch.count;
+                self.draw_span(&span, pixels, probe);
+                first += span.count;
             }
         }
     }
 
-    fn draw_stretch(&self, stretch: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        let sight = self.plan.sight.as_ref();
-        match sight.map_or(Ahead::Several, |sight| sight.along(stretch)) {
-            Ahead::Nothing => {
+    fn draw_span(&self, span: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
+        let bounds = self.plan.screen_bounds.as_ref();
+        match bounds.map_or(Visible::Several, |bounds| bounds.along(span)) {
+            Visible::Nothing => {
                 for pixel in pixels {
-                    probe.ray(RayKind::Camera, Rgb::WHITE);
+                    probe.on(Event::Ray(RayKind::Camera, Rgb::WHITE));
                     *pixel = nothing(probe);
                 }
             }
-            Ahead::One(entry) => self.draw_one(entry, stretch, pixels, probe),
-            Ahead::Several => self.draw_each(stretch, pixels, probe),
+            Visible::One(primitive) => self.draw_one(primitive, span, pixels, probe),
+            Visible::Several => self.draw_each(span, pixels, probe),
         }
     }
 
-    fn draw_each(&self, stretch: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        for (x, pixel) in stretch.places().zip(pixels) {
-            *pixel = self.sees(x, stretch.row.y, probe);
+    fn draw_each(&self, span: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
+        for (x, pixel) in span.places().zip(pixels) {
+            *pixel = self.sees(x, span.row.y, probe);
         }
     }
 
-    /// Draws a stretch through which rays can meet no surface but one.
+    /// Draws a pixel span in which only one surface can be visible.
     fn draw_one(
         &self,
-        entry: &Entry<'a>,
-        stretch: &PixelSpan<'_>,
+        primitive: &Primitive<'a>,
+        span: &PixelSpan<'_>,
         pixels: &mut [Rgb],
         probe: &mut impl Probe,
     ) {
         let screen = self.plan.camera.screen();
-        let crossings = entry.flat.map_or(Crossings::Unknown, |flat| {
-            flat.crossings(&stretch.fan(), screen)
+        let crossings = primitive.plane.map_or(Crossings::Unknown, |plane| {
+            plane.crossings(&span.packet(), screen)
         });
-        let is_plain = self.plan.is_unlit() && probe.only_counts();
-        match (crossings, entry.plain.filter(|_| is_plain)) {
-            (Crossings::Never, _) => {
+        match crossings {
+            Crossings::Never => {
                 for pixel in pixels {
-                    asked_once(probe);
+                    tested_once(probe);
                     *pixel = nothing(probe);
                 }
             }
-            (Crossings::Always(distances), Some(ambient)) => {
-                pixels.iter().for_each(|_| asked_once(probe));
-                self.fade(ambient, &distances, stretch, pixels);
+            Crossings::Unknown if screen.is_some() => self.draw_each(span, pixels, probe),
+            Crossings::Unknown | Crossings::Always => {
+                self.draw_packet(primitive, span, pixels, probe);
             }
-            (Crossings::Unknown, _) if screen.is_some() => self.draw_each(stretch, pixels, probe),
-            _ => self.draw_together(entry, stretch, pixels, probe),
         }
     }
 
-    /// Draws a stretch through which rays can meet no surface but one, which counts wherever they do.
-    fn draw_together(
+    /// Draws a pixel span in which one surface can be visible, without limits of hits.
+    fn draw_packet(
         &self,
-        entry: &Entry<'a>,
-        stretch: &PixelSpan<'_>,
+        primitive: &Primitive<'a>,
+        span: &PixelSpan<'_>,
         pixels: &mut [Rgb],
         probe: &mut impl Probe,
     ) {
-        let row = stretch.row;
+        let row = span.row;
         let mut rays = [row.ray(0.0); LONGEST];
-        let mut met = [None; LONGEST];
-        for (x, ray) in stretch.places().zip(&mut rays) {
+        let mut hits = [None; LONGEST];
+        for (x, ray) in span.places().zip(&mut rays) {
             ray.dir = row.dir(x);
         }
-        let (rays, met) = (&rays[..pixels.len()], &mut met[..pixels.len()]);
-        entry.surface.meetings(rays, met);
-        let places = stretch.places().zip(pixels);
-        for ((ray, met), (x, pixel)) in rays.iter().zip(met).zip(places) {
-            asked_once(probe);
-            *pixel = match met {
+        let (rays, hits) = (&rays[..pixels.len()], &mut hits[..pixels.len()]);
+        primitive.surface.shape().intersect_batch(rays, hits);
+        let places = span.places().zip(pixels);
+        for ((ray, hit), (x, pixel)) in rays.iter().zip(hits).zip(places) {
+            tested_once(probe);
+            *pixel = match hit {
                 Some(hit) => {
                     let seed = Seed::of_place(x, row.y);
-                    self.shown([x, row.y], ray, (entry, hit), seed, probe)
+                    self.shown([x, row.y], ray, (primitive, hit), seed, probe)
                 }
                 None => nothing(probe),
             };
         }
     }
-
-    /// Gives pixels a colour, faded by the distances from the eye.
-    fn fade(&self, color: Rgb, distances: &Distances, stretch: &PixelSpan<'_>, pixels: &mut [Rgb]) {
-        // Distances first, so that the processor can find several at once.
-        let mut found = [0.0; LONGEST];
-        for (x, found) in stretch.places().zip(&mut found) {
-            *found = distances.along(stretch.row.dir(x));
-        }
-        let falloff = self.plan.scene.lighting.view_falloff;
-        for (pixel, distance) in pixels.iter_mut().zip(&found) {
-            *pixel = (color / falloff.divisor(*distance)).saturated() + Rgb::BLACK;
-        }
-    }
 }
 
-/// Tells of a ray from the eye for which one surface is asked.
-fn asked_once(probe: &mut impl Probe) {
-    probe.ray(RayKind::Camera, Rgb::WHITE);
-    probe.hit_tests(1);
+/// Reports a camera ray for which one surface is tested.
+fn tested_once(probe: &mut impl Probe) {
+    probe.on(Event::Ray(RayKind::Camera, Rgb::WHITE));
+    probe.on(Event::HitTests(1));
 }
 
-fn small(number: usize) -> u32 {
+fn to_u32(number: usize) -> u32 {
     #[expect(clippy::cast_possible_truncation, reason = "sides are far below 2^32")]
-    let small = number as u32;
-    small
+    let number = number as u32;
+    number
 }

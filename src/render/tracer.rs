@@ -2,111 +2,112 @@
 
 use glam::DVec3;
 
-use crate::accel::Entry;
+use crate::geometry::{Hit, Resolved};
 use crate::math::{Beam, Ray, RayOrigin, Rgb};
 use crate::plan::{Plan, Scope};
-use crate::surface::Hit;
+use crate::visibility::Primitive;
 
 use super::budget::Budget;
 use super::media::Media;
-use super::{Errors, Probe, RayKind, Scattering, Seed, Unfollowed};
+use super::{Errors, Event, Probe, RayKind, Scattering, Seed, Unfollowed};
 
-/// Finds the colours of a planned scene.
+/// The tracer of a planned scene: it finds the colours along rays.
 #[derive(Debug, Clone, Copy)]
 pub struct Tracer<'a> {
     pub(super) plan: &'a Plan<'a>,
-    /// How many rays go through the pixel, each of which shows a share of it.
+    /// The number of camera rays in the pixel, each of which shows a share of it.
     pub(super) rays: u32,
 }
 
-/// How a ray came to be where it is.
+/// The history of a ray: the path from the eye to its origin.
 #[derive(Debug)]
-struct Path<'a> {
-    /// Distance from the eye to the ray's origin, along all mirrors.
+pub(super) struct Path<'a> {
+    /// The length of the path.
     travelled: f64,
     /// The largest share of the ray's colour that reaches the pixel.
     weight: f64,
-    /// What the ray is inside of.
+    /// The media that the ray is inside of.
     media: Media<'a>,
-    /// What rounding may have done to it.
+    /// The errors at the ray's origin.
     errors: Errors,
-    /// What tells it from other rays from the eye.
-    seed: Seed,
-    /// The rays around it, if a filter asks for them.
-    beam: Option<&'a Beam>,
+    /// The seed of random choices along the path.
+    pub(super) seed: Seed,
+    /// The rays around it, if a texture filter needs them.
+    pub(super) beam: Option<&'a Beam>,
 }
 
-/// Where a ray met a surface, and what rays that the surface sends on have to know of it.
+/// A resolved hit in its context: all that shading and further rays depend on.
 #[derive(Debug, Clone, Copy)]
-struct Meeting<'m, 'a> {
-    entry: &'m Entry<'a>,
-    hit: &'m Hit,
-    ray: &'m Ray<'m>,
-    path: &'m Path<'m>,
-    /// What rounding may have done to the path up to here.
+pub(super) struct Interaction<'m, 'a> {
+    pub(super) primitive: &'m Primitive<'a>,
+    pub(super) hit: &'m Hit,
+    pub(super) ray: &'m Ray<'m>,
+    pub(super) path: &'m Path<'m>,
+    /// The origin of rays that start here.
+    pub(super) ray_origin: &'m RayOrigin<'m>,
+    /// The errors of the hit.
     errors: Errors,
-    /// Distance from the eye to here, along all mirrors.
+    /// The length of the path from the eye to here.
     travelled: f64,
-    /// What light from here is divided by for that distance.
-    divisor: f64,
-    ray_origin: &'m RayOrigin<'m>,
+    /// The divisor of light from here, for that length.
+    pub(super) divisor: f64,
 }
 
-/// A ray that a surface sends on.
+/// A ray that a surface reflects or transmits.
 #[derive(Debug, Clone, Copy)]
 struct Onward<'a> {
     kind: RayKind,
-    /// The share of what it brings back that the surface passes on.
+    /// The share of its colour that the surface passes on.
     share: Rgb,
     dir: DVec3,
-    turn: Scattering,
-    /// What it is inside of.
+    scattering: Scattering,
+    /// The media that it is inside of.
     media: Media<'a>,
 }
 
 impl<'a> Tracer<'a> {
-    /// A tracer that does what the plan says.
+    /// A tracer of a planned scene.
     #[must_use]
     pub fn new(plan: &'a Plan<'a>) -> Self {
-        let picture = &plan.scene.settings;
+        let settings = &plan.scene.settings;
         let rays = match plan.outlines {
-            Some(_) => picture.first_rays(),
-            None => picture.samples,
+            Some(_) => settings.first_rays(),
+            None => settings.samples,
         };
         Self { plan, rays }
     }
 
-    /// The colour at a place of the picture, counted in pixels from the lower-left pixel's centre.
+    /// The colour at a raster position, in pixels from the lower-left pixel's centre.
     #[inline]
     pub fn sees(&self, x: f64, y: f64, probe: &mut impl Probe) -> Rgb {
         self.sees_as(x, y, Seed::of_place(x, y), probe)
     }
 
-    /// The colour at a place of the picture, where what is chosen on the way is chosen by this seed.
+    /// The colour at a raster position, with this seed of random choices.
     #[inline]
     pub(super) fn sees_as(&self, x: f64, y: f64, seed: Seed, probe: &mut impl Probe) -> Rgb {
-        probe.ray(RayKind::Camera, Rgb::WHITE);
+        probe.on(Event::Ray(RayKind::Camera, Rgb::WHITE));
         let plan = self.plan;
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
         let span = plan.camera.span(&ray);
-        let mut met = match &plan.sight {
-            Some(sight) => sight.nearest([x, y], &ray, span, &mut tests),
+        let found = match &plan.screen_bounds {
+            Some(bounds) => bounds.nearest([x, y], &ray, span, &mut tests),
             None => plan.surfaces.nearest(&ray, span, &mut tests),
         };
-        probe.hit_tests(tests);
-        match &mut met {
-            Some((entry, hit)) => self.shown([x, y], &ray, (entry, hit), seed, probe),
+        probe.on(Event::HitTests(tests));
+        match &found {
+            Some((primitive, hit)) => self.shown([x, y], &ray, (primitive, hit), seed, probe),
             None => nothing(probe),
         }
     }
 
-    /// The colour of what a ray from the eye through a place of the picture has met.
+    /// The colour of the hit of a camera ray through a raster position.
     #[inline]
     pub(super) fn shown(
         &self,
         [x, y]: [f64; 2],
         ray: &Ray,
-        met: (&Entry<'a>, &mut Hit),
+        found: (&Primitive<'a>, &Hit),
         seed: Seed,
         probe: &mut impl Probe,
     ) -> Rgb {
@@ -120,102 +121,111 @@ impl<'a> Tracer<'a> {
             seed,
             beam: beam.as_ref(),
         };
-        let color = self.color_of(met, ray, &path, &mut budget, probe);
+        let color = self.color_of(found, ray, &path, &mut budget, probe);
         // Adding zero turns −0 into +0, which is the same colour.
         color + Rgb::BLACK
     }
 
-    /// The colour that comes back along a ray; black where there is nothing.
+    /// The colour along a ray; black if it hits nothing.
     fn trace(&self, ray: &Ray, path: &Path, budget: &mut Budget, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
         let span = self.plan.camera.span(ray);
-        let mut met = self.plan.surfaces.nearest(ray, span, &mut tests);
-        probe.hit_tests(tests);
-        match &mut met {
-            Some((entry, hit)) => self.color_of((entry, hit), ray, path, budget, probe),
+        let found = self.plan.surfaces.nearest(ray, span, &mut tests);
+        probe.on(Event::HitTests(tests));
+        match &found {
+            Some((primitive, hit)) => self.color_of((primitive, hit), ray, path, budget, probe),
             None => nothing(probe),
         }
     }
 
-    /// The colour that comes back along a ray from what it met.
+    /// The colour along a ray from the surface that it hits.
     fn color_of(
         &self,
-        (entry, hit): (&Entry<'a>, &mut Hit),
+        (primitive, hit): (&Primitive<'a>, &Hit),
         ray: &Ray,
         path: &Path,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        if let Some(beam) = path.beam {
-            hit.texel = self.texel_over(entry, hit, beam);
-        }
-        let hit = &*hit;
+        let hit = &self.resolve(primitive, hit, ray, path);
         let errors = if probe.follows_errors() {
-            path.errors.at(ray, hit, entry.surface)
+            path.errors.at(ray, hit, primitive.surface.shape())
         } else {
             Errors::default()
         };
-        probe.met(entry.index, hit, errors);
+        probe.on(Event::Hit(primitive.index, hit, errors));
         let travelled = path.travelled + hit.t;
         let divisor = self.plan.scene.lighting.view_falloff.divisor(travelled);
-        let sends_on = entry.sends_on || self.plan.scope == Scope::Everything;
+        let sends_on = primitive.sends_on || self.plan.scope == Scope::Everything;
         let color = if !sends_on && self.plan.is_unlit() {
-            // No ray leaves here, so nothing has to be known of rays that would.
-            let color = (entry.surface.getamb(hit) / divisor).saturated();
-            probe.own_color(color, Rgb::BLACK);
+            // No ray starts here, so nothing has to be computed for one.
+            let color = (primitive.surface.getamb(hit) / divisor).saturated();
+            let of_lamps = Rgb::BLACK;
+            probe.on(Event::OwnColor { color, of_lamps });
             color
         } else {
-            let ray_origin = &entry.ray_origin(ray, hit);
-            let lit = (ray_origin, divisor, path.seed);
-            let own = self.own_color(ray, (entry, hit), lit, probe);
+            let interaction = Interaction {
+                primitive,
+                hit,
+                ray,
+                path,
+                ray_origin: &primitive.ray_origin(ray, hit),
+                errors,
+                travelled,
+                divisor,
+            };
+            let own = self.own_color(&interaction, probe);
             if sends_on {
-                let meeting = Meeting {
-                    entry,
-                    hit,
-                    ray,
-                    path,
-                    errors,
-                    travelled,
-                    divisor,
-                    ray_origin,
-                };
-                self.with_sent_on(own, &meeting, budget, probe)
+                self.with_sent_on(own, &interaction, budget, probe)
             } else {
                 own
             }
         };
-        probe.came_back(color);
+        probe.on(Event::Returned(color));
         color
     }
 
-    /// The colour of a surface whose own colour this is, with what comes through it and from before it.
+    /// The hit at its exact texel or tile, with the image's colour.
+    ///
+    /// The colour is the texel's, or the mean over the footprint.
+    #[inline(always)]
+    fn resolve(&self, primitive: &Primitive<'a>, hit: &Hit, ray: &Ray, path: &Path) -> Hit {
+        let Resolved { uv, mut texel } = primitive.resolve(hit, ray);
+        if let Some(beam) = path.beam {
+            texel = self.texel_over(primitive, &Hit { uv, texel, ..*hit }, beam);
+        }
+        Hit { uv, texel, ..*hit }
+    }
+
+    /// The colour of a surface: its own, transmitted and reflected.
     fn with_sent_on(
         &self,
         own: Rgb,
-        meeting: &Meeting<'_, 'a>,
+        at: &Interaction<'_, 'a>,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Meeting { hit, ray, path, .. } = *meeting;
-        let surface = meeting.entry.surface;
-        let material = &meeting.entry.common.material;
+        let Interaction { hit, ray, path, .. } = *at;
+        let common = at.primitive.common;
+        let material = &common.material;
         let boundary = path.media.boundary(material, ray.dir, hit.normal);
         let everything = self.sends_uncalled(path);
-        probe.own_share(boundary.passing * (1.0 - material.transparency));
+        let own_share = boundary.passing * (1.0 - material.transparency);
+        probe.on(Event::OwnShare(own_share));
         let mut color = own * boundary.passing;
         if material.transparency > 0.0 || everything {
-            // Of two rays each may cost what it weighs: in glass both go on and on.
+            // Each of two rays gets a share of the budget, because in glass both continue to split.
             let is_called = material.transparency > 0.0;
             let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
                 let next = Onward {
                     kind: RayKind::Transmitted,
-                    share: surface.transmits(hit) * boundary.passing,
+                    share: common.transmits(hit.texel) * boundary.passing,
                     dir,
-                    turn: boundary.turn,
+                    scattering: boundary.scattering,
                     media: boundary.beyond,
                 };
-                self.follow(next, meeting, budget, probe)
+                self.follow(next, at, budget, probe)
             });
             if let Some(aside) = aside {
                 budget.take_back(aside);
@@ -227,67 +237,63 @@ impl<'a> Tracer<'a> {
                 kind: RayKind::Mirror,
                 share: boundary.mirrored,
                 dir: ray.mirrored(hit.normal),
-                turn: Scattering::Mirrored,
+                scattering: Scattering::Reflected,
                 media: path.media,
             };
-            color = (color + self.follow(next, meeting, budget, probe)).saturated();
+            color = (color + self.follow(next, at, budget, probe)).saturated();
         }
         color
     }
 
-    /// What a ray that a surface sends on adds to the surface's colour.
+    /// The colour that a reflected or transmitted ray adds to the surface's.
     fn follow(
         &self,
         next: Onward<'_>,
-        meeting: &Meeting<'_, 'a>,
+        at: &Interaction<'_, 'a>,
         budget: &mut Budget,
         probe: &mut impl Probe,
     ) -> Rgb {
-        let Meeting {
-            entry,
-            hit,
-            ray,
-            path,
-            ..
-        } = *meeting;
+        let path = at.path;
         let beam = path
             .beam
-            .map(|beam| self.onward(beam, entry, (ray, hit), (next.kind, next.dir)));
+            .map(|beam| self.onward(beam, at, next.kind, next.dir));
         let onward = Path {
-            travelled: meeting.travelled,
+            travelled: at.travelled,
             weight: path.weight * next.share.largest(),
             media: next.media,
             errors: if probe.follows_errors() {
-                meeting
-                    .errors
-                    .behind(entry.surface, next.turn, ray.dir, hit.normal)
+                let shape = at.primitive.surface.shape();
+                let scattering = next.scattering;
+                at.errors
+                    .behind(shape, scattering, at.ray.dir, at.hit.normal)
             } else {
-                meeting.errors
+                at.errors
             },
             seed: path.seed.next(),
             beam: beam.as_ref(),
         };
         let uncalled = onward.weight == 0.0 && self.sends_uncalled(path);
-        let worth = self.is_worth_following(&onward, meeting.divisor, budget);
+        let worth = self.is_worth_following(&onward, at.divisor, budget);
         if let (Err(why), false) = (worth, uncalled) {
-            probe.not_followed(next.kind, why);
+            probe.on(Event::NotFollowed(next.kind, why));
             return Rgb::BLACK;
         }
-        probe.ray(next.kind, next.share);
-        // What nothing called for must not move, by so much as a rounding, what others may spend.
+        probe.on(Event::Ray(next.kind, next.share));
+        // A ray without weight must not change the budget of others, not even by rounding.
         let mut nothing = Budget::NOTHING;
         let budget = if uncalled { &mut nothing } else { budget };
-        let ray = Ray::spawn(meeting.ray_origin, next.dir);
+        let ray = Ray::spawn(at.ray_origin, next.dir);
         next.share * self.trace(&ray, &onward, budget, probe)
     }
 
-    /// Whether what a path meets sends on even rays that nothing calls for. Those have no weight, and what
-    /// they meet sends on no others.
+    /// Returns whether surfaces on a path scatter even rays without weight.
+    ///
+    /// The surfaces that such rays hit scatter no others.
     fn sends_uncalled(&self, path: &Path) -> bool {
         self.plan.scope == Scope::Everything && path.weight > 0.0
     }
 
-    /// Whether a path goes on; if not, what it could still have brought is spent.
+    /// Decides whether a path goes on; if not, it spends the light that it could add.
     fn is_worth_following(
         &self,
         path: &Path,
@@ -301,8 +307,8 @@ impl<'a> Tracer<'a> {
     }
 }
 
-/// The colour that comes back along a ray that meets nothing.
+/// The colour along a ray that hits nothing.
 pub(super) fn nothing(probe: &mut impl Probe) -> Rgb {
-    probe.came_back(Rgb::BLACK);
+    probe.on(Event::Returned(Rgb::BLACK));
     Rgb::BLACK
 }

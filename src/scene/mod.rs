@@ -14,10 +14,11 @@ pub use settings::SETTINGS;
 use std::sync::Arc;
 
 use crate::camera::View;
+use crate::geometry::Shared;
 use crate::language::{Node, Schema, Sources};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
-use crate::surface::{self, Shared, Surface};
+use crate::surface::{self, Surface};
 use crate::texture::{Filter, Texture};
 
 /// A scene in which every name is resolved.

@@ -85,6 +85,12 @@ impl Common {
         }
     }
 
+    /// The share of light that passes straight through where the image has this colour.
+    #[must_use]
+    pub fn transmits(&self, texel: Rgb) -> Rgb {
+        self.material.filter() * self.material.transparency * texel
+    }
+
     /// Completes a surface's node.
     #[must_use]
     pub fn describe(&self, mut node: Node) -> Node {

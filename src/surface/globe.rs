@@ -1,15 +1,20 @@
-//! Images on round things.
+//! Images wrapped around round shapes.
+//!
+//! Longitude 0 is the image's middle column and faces +z; it grows towards +x. At the poles, where
+//! every longitude would do, it is 0.
 
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::{Anatomy, Cover, Shape};
-use crate::language::{Attribute, Node, Reference, Takes};
-use crate::math::{Rgb, Spread};
-use crate::texture::{Filter, TextureMap, Wrap};
+use super::Hit;
+use crate::geometry::Shape;
+use crate::language::{Attribute, Reference, Takes};
+use crate::math::classic::{Scalar, Vector};
+use crate::math::{Beam, Numerics, Rgb, Spread, direction};
+use crate::texture::{Filter, TextureMap, Wrap, gettexel};
 
-/// The attribute that wraps a texture around a round thing.
+/// The attribute that wraps a texture around a round shape.
 pub(super) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
     "texture",
     Takes::Name(Reference::Texture),
@@ -17,33 +22,33 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
 )
 .optional()];
 
-/// The world size of a whole image on a globe: its places run from 0 to 1.
+/// The world size of a whole image on a globe: its coordinates run from 0 to 1.
 pub(super) const WHOLE: DVec2 = DVec2::ONE;
 
-/// The colour of the texture where a unit direction from the centre leaves the globe.
-///
-/// Longitude 0 is the middle column and faces +z; it grows towards +x. At the poles, where every
-/// longitude would do, it is 0.
-pub(super) fn texel(image: &TextureMap, direction: DVec3) -> Rgb {
-    image.at(place(direction))
+/// The colour of the image at a hit on a round shape.
+pub(super) fn texel(image: &TextureMap, shape: &Shape, hit: &Hit, numerics: Numerics) -> Rgb {
+    match numerics {
+        Numerics::Robust => image.at(place(on_ball(shape, hit))),
+        Numerics::Classic => classic_texel::<f64>(image, shape, hit),
+        Numerics::ClassicF32 => classic_texel::<f32>(image, shape, hit),
+    }
 }
 
-/// The place in the image, from 0 to 1 along each side.
-fn place(direction: DVec3) -> DVec2 {
-    let longitude = libm::atan2(direction.x, direction.z);
-    let latitude = libm::asin(direction.y.clamp(-1.0, 1.0));
-    DVec2::new(0.5 + longitude / (2.0 * PI), 0.5 + latitude / PI)
-}
-
-/// The colour around there by a filter; `nearest` is the texel, and the steps are those of the direction
-/// from pixel to pixel.
+/// The colour of the image over a beam's footprint on a round shape.
 pub(super) fn texel_over(
     image: &TextureMap,
-    (filter, nearest): (Filter, Rgb),
-    direction: DVec3,
-    steps: [DVec3; 2],
+    shape: &Shape,
+    hit: &Hit,
+    beam: &Beam,
+    filter: Filter,
 ) -> Rgb {
-    // How fast longitude and latitude change; at a pole, infinitely.
+    let Some([center, axes]) = shape.round() else {
+        return hit.texel;
+    };
+    let steps = beam.steps_at(&hit.point.about(center), hit.normal);
+    let steps = steps.map(|step| step / axes);
+    let direction = on_ball(shape, hit);
+    // The rates at which longitude and latitude change; at a pole, infinite.
     let around = direction.x * direction.x + direction.z * direction.z;
     let spread = Spread {
         place: place(direction),
@@ -53,19 +58,38 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, nearest, &image.in_texels(spread), wraps)
+    image.around(filter, hit.texel, &image.in_texels(spread), wraps)
 }
 
-/// Adds the texture of a round thing to its node.
-pub(super) fn describe(node: Node, image: Option<&TextureMap>) -> Node {
-    match image {
-        Some(image) => node.with("texture", image.texture.name.as_str()),
-        None => node,
+/// The unit vector of a hit in the space where the shape is the unit sphere.
+fn on_ball(shape: &Shape, hit: &Hit) -> DVec3 {
+    match shape {
+        Shape::Ellipsoid(ellipsoid) => {
+            let [center, axes] = ellipsoid.extent();
+            direction(hit.point.from(center) / axes)
+        }
+        _ => hit.normal,
     }
 }
 
-/// The anatomy of a round thing, with the image around it if there is one.
-pub(super) fn anatomy(shape: Shape, image: Option<&TextureMap>) -> Anatomy<'_> {
-    let plain = Anatomy::plain(shape);
-    image.map_or(plain, |image| plain.covered(Cover::Globe(image)))
+/// The position in the image, from 0 to 1 along each side.
+fn place(direction: DVec3) -> DVec2 {
+    let longitude = libm::atan2(direction.x, direction.z);
+    let latitude = libm::asin(direction.y.clamp(-1.0, 1.0));
+    DVec2::new(0.5 + longitude / (2.0 * PI), 0.5 + latitude / PI)
+}
+
+/// The texel by the classic numerics.
+fn classic_texel<T: Scalar>(image: &TextureMap, shape: &Shape, hit: &Hit) -> Rgb {
+    let Some([center, axes]) = shape.round() else {
+        return hit.texel;
+    };
+    let offset = Vector::<T>::of(hit.point.world()) - Vector::of(center);
+    let direction = offset.over(Vector::of(axes)).unit();
+    let longitude = T::angle(direction.x, direction.z);
+    let latitude = T::angle_of_sine(direction.y.max(-T::one()).min(T::one()));
+    let half = T::of(0.5);
+    let (half_turn, turn) = (T::of(PI), T::of(2.0 * PI));
+    let (xrel, yrel) = (half + longitude / turn, half + latitude / half_turn);
+    gettexel(&image.texture, xrel, yrel)
 }

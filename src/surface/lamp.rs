@@ -21,16 +21,17 @@
 
 use glam::DVec3;
 
-use super::lamp_form::LampForm;
-use super::{Anatomy, Common, Hit, Surface};
+use super::{Common, Surface};
+use crate::geometry::{Rectangle, Shape, Sphere};
 use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, ValueError};
-use crate::math::exact::{Distance, ExactVector, Sign};
-use crate::math::{Bounds, ExactGeometry, Flat, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::exact::Sign;
+use crate::math::{Ray, Rgb};
 
 /// A rectangle or a ball that shines, and is seen to.
 #[derive(Debug, Clone)]
 pub struct Lamp {
-    pub(super) form: LampForm,
+    common: Common,
+    shape: Shape,
     emissivity: Rgb,
     samples: u32,
 }
@@ -97,11 +98,17 @@ impl Lamp {
         ]],
     };
 
-    /// What a `lamp` node says.
+    const RECTANGLE: [&'static str; 4] = ["point", "normal", "xdir", "dimensions"];
+    const BALL: [&'static str; 2] = ["center", "radius"];
+    const RECTANGLE_HAS: &'static str =
+        "a rectangle has `point`, `normal`, `xdir` and `dimensions`";
+    const BALL_HAS: &'static str = "a ball has `center` and `radius`";
+
+    /// The lamp of a `lamp` node.
     ///
     /// # Errors
-    /// Refuses a lamp that is neither a rectangle nor a ball, or both, or lacks a part of either; and
-    /// what [`FinitePlane::new`](super::FinitePlane::new) and [`Sphere::new`](super::Sphere::new) refuse.
+    /// Returns an error for a lamp that is neither a rectangle nor a ball, or both, or lacks a part
+    /// of either; and those of [`Rectangle::new`] and [`Sphere::new`].
     pub fn from_node(node: &Node, common: Common) -> Result<Self, ValueError> {
         #[expect(
             clippy::cast_possible_truncation,
@@ -109,30 +116,37 @@ impl Lamp {
             reason = "the schema allows small whole numbers only"
         )]
         let samples = node.number("samples") as u32;
+        let shape = if is_rectangle(node)? {
+            Rectangle::from_node(node)?.into()
+        } else {
+            Sphere::from_node(node)?.into()
+        };
         Ok(Self {
-            form: LampForm::from_node(node, common)?,
+            common,
+            shape,
             emissivity: node.triple("emissivity").into(),
             samples,
         })
     }
 
-    /// How bright it is.
+    /// The intensity of its light.
     #[must_use]
     pub fn emissivity(&self) -> Rgb {
         self.emissivity
     }
 
-    /// How many places of it are asked where its shadow may be soft.
+    /// The number of points of the lamp that shadow rays are sent to where its shadow may be soft.
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// What is seen of it along a ray that meets it.
+    /// The colour that a ray sees where it hits the lamp; the back of a rectangle is black.
     #[must_use]
     pub fn shows(&self, ray: &Ray) -> Rgb {
         let from_behind = self
-            .flat()
+            .shape
+            .carrier()
             .is_some_and(|flat| flat.exact_slope(ray.dir).sign() != Sign::Negative);
         if from_behind {
             Rgb::BLACK
@@ -142,82 +156,55 @@ impl Lamp {
     }
 }
 
+/// Returns whether a lamp is a rectangle and not a ball.
+fn is_rectangle(node: &Node) -> Result<bool, ValueError> {
+    let given = |words: &[&'static str]| {
+        let mut words = words.iter();
+        words.find(|word| node.entry(word).is_some()).copied()
+    };
+    let (words, they) = match (given(&Lamp::RECTANGLE), given(&Lamp::BALL)) {
+        (Some(_), None) => (&Lamp::RECTANGLE[..], Lamp::RECTANGLE_HAS),
+        (None, Some(_)) => (&Lamp::BALL[..], Lamp::BALL_HAS),
+        (None, None) => {
+            let advice = format!("{}, {}", Lamp::RECTANGLE_HAS, Lamp::BALL_HAS);
+            return Err(ValueError::new("lamp", "the lamp has no shape", advice)
+                .expected("expected a rectangle or a ball between its braces"));
+        }
+        (Some(rectangle), Some(ball)) => {
+            let reason = format!("the lamp has both `{rectangle}` and `{ball}`");
+            let advice = format!("{}, {}; keep one", Lamp::RECTANGLE_HAS, Lamp::BALL_HAS);
+            return Err(ValueError::new(ball, reason, advice).expected("expected only one shape"));
+        }
+    };
+    if let Some(lacks) = words.iter().find(|word| node.entry(word).is_none()) {
+        let reason = format!("the lamp has no `{lacks}`");
+        let expected = format!("expected `{lacks}` between its braces");
+        return Err(ValueError::new(lacks, reason, they).expected(expected));
+    }
+    Ok(words.len() == Lamp::RECTANGLE.len())
+}
+
 impl Surface for Lamp {
-    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        self.form.surface().hits(ray, span)
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn shape_mut(&mut self) -> &mut Shape {
+        &mut self.shape
     }
 
     fn common(&self) -> &Common {
-        self.form.surface().common()
+        &self.common
+    }
+
+    fn describe(&self) -> Node {
+        self.shape
+            .describe_into(Node::new(&Self::SCHEMA, None))
+            .with("emissivity", DVec3::from(self.emissivity))
+            .with("samples", f64::from(self.samples))
     }
 
     fn lamp(&self) -> Option<&Lamp> {
         Some(self)
-    }
-
-    fn describe(&self) -> Node {
-        let node = Node::new(&Self::SCHEMA, None);
-        let node = match &self.form {
-            LampForm::Pane(pane) => pane.describe_into(node),
-            LampForm::Globe(globe) => globe.describe_into(node),
-        };
-        node.with("emissivity", DVec3::from(self.emissivity))
-            .with("samples", f64::from(self.samples))
-    }
-
-    fn flat(&self) -> Option<&Flat> {
-        self.form.surface().flat()
-    }
-
-    fn round(&self) -> Option<[DVec3; 2]> {
-        self.form.surface().round()
-    }
-
-    fn outline(&self) -> Vec<DVec3> {
-        self.form.surface().outline()
-    }
-
-    fn hull(&self) -> Option<Vec<ExactVector>> {
-        self.form.surface().hull()
-    }
-
-    fn bounds(&self) -> Option<Bounds> {
-        self.form.surface().bounds()
-    }
-
-    fn side(&self, point: &Point) -> Side {
-        self.form.surface().side(point)
-    }
-
-    fn anatomy(&self) -> Option<Anatomy<'_>> {
-        self.form.surface().anatomy()
-    }
-
-    fn occludes(&self, segment: &Segment, end: Side) -> bool {
-        self.form.surface().occludes(segment, end)
-    }
-
-    fn error(&self, ray: &Ray, hit: &Hit) -> f64 {
-        self.form.surface().error(ray, hit)
-    }
-
-    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.form.surface().exact_distance(ray)
-    }
-
-    fn exact_geometry(&self) -> Option<ExactGeometry> {
-        self.form.surface().exact_geometry()
-    }
-
-    fn borders(&self) -> Vec<Line> {
-        self.form.surface().borders()
-    }
-
-    fn slack(&self) -> f64 {
-        self.form.surface().slack()
-    }
-
-    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
-        self.form.surface_mut().weld(plane, borders);
     }
 }

@@ -1,129 +1,154 @@
-//! The light of a lamp: how much arrives where, and from which of its points.
+//! The light of a lamp: the irradiance it gives, and the sample points on it.
 
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::lamp_form::LampForm;
-use super::{FinitePlane, Lamp, Sphere, Surface};
+use super::{Lamp, Surface};
+use crate::geometry::{Rectangle, Shape, Sphere};
 use crate::math::{Frame, Point, Side, direction, form_factor};
 
+/// The shapes that a lamp can have.
+enum Form<'a> {
+    Rectangle(&'a Rectangle),
+    Ball(&'a Sphere),
+}
+
+/// A point on a lamp, with the geometry that its light depends on.
+struct LampPoint {
+    point: Point,
+    /// The unit normal there.
+    normal: DVec3,
+    /// The cosine between a ball's surface and its visible disc, whose areas are smaller by it; 1 on a
+    /// rectangle.
+    cosine: f64,
+}
+
 impl Lamp {
-    /// Those of a rectangle of width and height 1, in order around it.
+    /// The corners of a rectangle of width and height 1, in order around it.
     const CORNERS: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
 
-    /// How much light arrives at a place with this unit normal if nothing stands in the way, as a
-    /// share of what a sky as bright would give: from 0 to 1.
+    fn form(&self) -> Form<'_> {
+        match self.shape() {
+            Shape::Rectangle(rectangle) => Form::Rectangle(rectangle),
+            Shape::Sphere(sphere) => Form::Ball(sphere),
+            other => unreachable!("a lamp is a rectangle or a ball, not {other:?}"),
+        }
+    }
+
+    /// The share of a sky of equal brightness that the lamp gives to a point with this unit normal.
+    ///
+    /// From 0 to 1, without occluders.
     #[must_use]
     pub fn form_factor(&self, place: &Point, normal: DVec3) -> f64 {
-        // 2¹⁷. Beyond as many times its own size, a lamp is taken for a speck of light, which is off
-        // by one in 2¹⁷ of what a lamp there can give at most; nearer, the sums of angles are off by
-        // one in 2³⁶, since that is what is left of them when they cancel.
+        // Beyond 2¹⁷ times its own size, a lamp counts as a point of light, with an error of 2⁻¹⁷ of
+        // the most that a lamp there can give. Nearer, the sums of angles have an error of 2⁻³⁶,
+        // since they cancel.
         const FAR: f64 = 131_072.0;
-        if self.side(place) != Side::Front {
+        if self.shape().side(place) != Side::Front {
             return 0.0;
         }
         let center = self.center().way_from(place);
-        let is_far = center.length() > FAR * self.reach();
-        match &self.form {
-            LampForm::Pane(pane) => {
-                let rectangle = pane.rectangle();
-                if is_far {
-                    let slant = -rectangle.flat.normal.dot(direction(center));
-                    let area = rectangle.size.x * rectangle.size.y;
-                    return form_factor::of_speck(center, area * slant.max(0.0), normal);
-                }
-                let corners = Self::CORNERS.map(|corner| self.on_pane(pane, corner));
+        let is_far = center.length() > FAR * self.radius();
+        match self.form() {
+            Form::Rectangle(rectangle) if is_far => {
+                let slant = -rectangle.flat.normal.dot(direction(center));
+                let area = rectangle.size.x * rectangle.size.y;
+                form_factor::of_speck(center, area * slant.max(0.0), normal)
+            }
+            Form::Rectangle(rectangle) => {
+                let corners = Self::CORNERS.map(|corner| rectangle.point(corner * rectangle.size));
                 form_factor::of_polygon(&corners.map(|corner| corner.way_from(place)), normal)
             }
-            LampForm::Globe(_) if is_far => {
-                form_factor::of_speck(center, PI * self.reach() * self.reach(), normal)
+            Form::Ball(_) if is_far => {
+                form_factor::of_speck(center, PI * self.radius() * self.radius(), normal)
             }
-            LampForm::Globe(_) => form_factor::of_ball(center, self.reach(), normal),
+            Form::Ball(_) => form_factor::of_ball(center, self.radius(), normal),
         }
     }
 
-    fn on_pane(&self, pane: &FinitePlane, at: DVec2) -> Point {
-        let rectangle = pane.rectangle();
-        rectangle.point(at * rectangle.size)
-    }
-
-    /// Its middle.
+    /// The centre of the lamp.
     #[must_use]
     pub fn center(&self) -> Point {
-        match &self.form {
-            LampForm::Pane(pane) => self.on_pane(pane, DVec2::splat(0.5)),
-            LampForm::Globe(globe) => Point::exact(globe.center()),
+        match self.form() {
+            Form::Rectangle(rectangle) => rectangle.point(DVec2::splat(0.5) * rectangle.size),
+            Form::Ball(ball) => Point::exact(ball.center()),
         }
     }
 
-    /// How far it reaches from its middle.
+    /// The radius of the ball around the centre that holds the lamp.
     #[must_use]
-    pub fn reach(&self) -> f64 {
-        match &self.form {
-            LampForm::Pane(pane) => pane.rectangle().size.length() / 2.0,
-            LampForm::Globe(globe) => globe.radius(),
+    pub fn radius(&self) -> f64 {
+        match self.form() {
+            Form::Rectangle(rectangle) => rectangle.size.length() / 2.0,
+            Form::Ball(ball) => ball.radius(),
         }
     }
 
-    /// One of its points that a place in front of it sees, and what that point counts for, which is
-    /// not negative; `at` chooses it, from 0 to 1 along two axes.
+    /// A point of the lamp that a point in front of it sees, and the weight of its light.
     ///
-    /// The places of a rectangle are chosen evenly over its area, and those of a ball evenly over the
-    /// disc that is seen of it from afar. Each counts for the light that the piece of lamp around it
-    /// gives, so that the sum of what is seen by the sum of all is the share of the *light* that
-    /// arrives.
+    /// `at` chooses it, from 0 to 1 along two axes: evenly over the area of a rectangle, or over the
+    /// disc of a ball that is visible from afar. The weight is not negative. It stands for the light
+    /// of the piece of lamp around the point, so that visible weight by total weight is the share of
+    /// the *light* that arrives.
     #[must_use]
     pub fn sample(&self, place: &Point, normal: DVec3, at: DVec2) -> (Point, f64) {
-        let (point, front, stretch) = match &self.form {
-            LampForm::Pane(pane) => (self.on_pane(pane, at), pane.rectangle().flat.normal, 1.0),
-            LampForm::Globe(globe) => on_globe(globe, place, at),
+        let sampled = match self.form() {
+            Form::Rectangle(rectangle) => LampPoint {
+                point: rectangle.point(at * rectangle.size),
+                normal: rectangle.flat.normal,
+                cosine: 1.0,
+            },
+            Form::Ball(ball) => on_ball(ball, place, at),
         };
-        let way = point.way_from(place);
+        let way = sampled.point.way_from(place);
         let distance = way.length();
         let dir = way / distance;
-        let weight = normal.dot(dir).max(0.0) * (-front.dot(dir)).max(0.0);
-        // A place on the lamp itself is not in front of it.
-        let weight = weight / distance / distance / stretch;
-        (point, if weight.is_finite() { weight } else { 0.0 })
+        let weight = normal.dot(dir).max(0.0) * (-sampled.normal.dot(dir)).max(0.0);
+        // A point on the lamp itself is not in front of it.
+        let weight = weight / distance / distance / sampled.cosine;
+        (sampled.point, if weight.is_finite() { weight } else { 0.0 })
     }
 
-    /// The point of it that is highest along a direction.
+    /// The point of the lamp that is highest along a direction.
     #[must_use]
     pub fn highest(&self, normal: DVec3) -> Point {
-        match &self.form {
-            LampForm::Pane(pane) => {
-                let frame = pane.rectangle().frame;
+        match self.form() {
+            Form::Rectangle(rectangle) => {
                 let end = |axis: DVec3| if axis.dot(normal) > 0.0 { 1.0 } else { 0.0 };
-                self.on_pane(pane, DVec2::new(end(frame.x), end(frame.y)))
+                let corner = DVec2::new(end(rectangle.frame.x), end(rectangle.frame.y));
+                rectangle.point(corner * rectangle.size)
             }
-            LampForm::Globe(globe) => Point {
-                anchor: globe.center(),
-                offset: normal * globe.radius(),
+            Form::Ball(ball) => Point {
+                anchor: ball.center(),
+                offset: normal * ball.radius(),
             },
         }
     }
 }
 
-/// The point of a ball that `at` chooses evenly over the disc which a place sees of it; its unit normal;
-/// and the cosine between ball and disc there, which areas of the disc are smaller by.
+/// The point of a ball that `at` chooses evenly over the disc visible from a place.
 #[inline]
-fn on_globe(globe: &Sphere, place: &Point, at: DVec2) -> (Point, DVec3, f64) {
-    let way = place.from(globe.center());
-    let (distance, radius) = (way.length(), globe.radius());
+fn on_ball(ball: &Sphere, place: &Point, at: DVec2) -> LampPoint {
+    let way = place.from(ball.center());
+    let (distance, radius) = (way.length(), ball.radius());
     let axis = direction(way);
     let frame = Frame::any(axis);
     let seen = (distance - radius).max(0.0) * (distance + radius) / distance / distance;
     let (sine, cosine) = ((at.x * seen).sqrt(), (1.0 - at.x * seen).sqrt());
     let turn = 2.0 * PI * at.y;
     let across = frame.x * libm::cos(turn) + frame.y * libm::sin(turn);
-    // So that a scene turned by half a turn about an axis is asked at the same places.
+    // A scene turned by half a turn about an axis is sampled at the same points.
     let is_turned = axis.x < 0.0 || axis.x == 0.0 && axis.y * axis.z < 0.0;
     let across = if is_turned { -across } else { across };
-    let front = axis * cosine + across * sine;
+    let normal = axis * cosine + across * sine;
     let point = Point {
-        anchor: globe.center(),
-        offset: front * radius,
+        anchor: ball.center(),
+        offset: normal * radius,
     };
-    (point, front, cosine)
+    LampPoint {
+        point,
+        normal,
+        cosine,
+    }
 }

@@ -13,15 +13,16 @@
 
 use std::f64::consts::PI;
 
-use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
+use super::{Common, Hit, Surface};
+use crate::geometry::{Plane, Shape};
 use crate::language::{Attribute, Naming, Node, Schema, Takes, words};
-use crate::math::exact::Distance;
-use crate::math::{ExactGeometry, Flat, Line, Ray, Rgb, Segment, Side, Span};
+use crate::math::Rgb;
 
 /// An unbounded plane whose ambient colour is a formula; the course's two examples.
 #[derive(Debug, Clone)]
 pub struct ProceduralPlane {
-    plane: Plane,
+    common: Common,
+    shape: Shape,
     shader: Shader,
 }
 
@@ -85,58 +86,44 @@ impl ProceduralPlane {
 
     /// A plane with a formula that multiplies its ambient colour.
     #[must_use]
-    pub fn new(plane: Plane, shader: Shader) -> Self {
-        Self { plane, shader }
+    pub fn new(common: Common, plane: Plane, shader: Shader) -> Self {
+        let shape = plane.into();
+        Self {
+            common,
+            shape,
+            shader,
+        }
     }
 }
 
 impl Surface for ProceduralPlane {
-    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        self.plane.hits(ray, span)
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn shape_mut(&mut self) -> &mut Shape {
+        &mut self.shape
     }
 
     fn common(&self) -> &Common {
-        self.plane.common()
-    }
-
-    fn anatomy(&self) -> Option<Anatomy<'_>> {
-        Some(self.plane.anatomy()?.covered(Cover::Own))
+        &self.common
     }
 
     fn describe(&self) -> Node {
-        self.plane
-            .describe_into(Node::new(&Self::SCHEMA, None))
-            .with("shader", self.shader.word())
-    }
-
-    fn flat(&self) -> Option<&Flat> {
-        self.plane.flat()
-    }
-
-    fn exact_geometry(&self) -> Option<ExactGeometry> {
-        self.plane.exact_geometry()
-    }
-
-    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
-        self.plane.weld(plane, borders);
-    }
-
-    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.plane.exact_distance(ray)
-    }
-
-    fn occludes(&self, segment: &Segment, end: Side) -> bool {
-        self.plane.occludes(segment, end)
+        let node = Node::new(&Self::SCHEMA, None);
+        let node = self.shape.describe_into(node);
+        node.with("shader", self.shader.word())
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {
-        let place = hit.point.offset;
-        self.plane.getamb(hit) * self.shader.at(place.x, place.y)
+        let offset = hit.point.from(self.shape.anchor());
+        self.common.material.ambient * hit.texel * self.shader.at(offset.x, offset.y)
     }
 
     fn brightest(&self) -> [f64; 2] {
-        let [ambient, diffuse] = self.plane.brightest();
-        [ambient * Shader::LARGEST, diffuse]
+        let material = &self.common.material;
+        let ambient = material.ambient.largest() * Shader::LARGEST;
+        [ambient, material.diffuse.largest()]
     }
 }
 

@@ -18,21 +18,24 @@ use std::sync::Arc;
 use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
 
-use super::{Anatomy, Common, Cover, Hit, Plane, Surface};
+use super::{Common, Hit, Resolved, Surface};
+use crate::geometry::{Plane, Shape};
 use crate::language::{
     Attribute, Default, Naming, Node, Range, Reference, Schema, Takes, ValueError, words,
 };
 use crate::material::Material;
+use crate::math::classic::{Scalar, Vector};
 use crate::math::error_bounds::FOOT;
-use crate::math::exact::{Distance, decimal};
-use crate::math::{ExactGeometry, Flat, Frame, Grid, Line, Point, Ray, Rgb, Segment, Side, Span};
+use crate::math::exact::decimal;
+use crate::math::{Frame, Grid, Numerics, Point, Ray, Rgb};
 
 /// An unbounded plane of tiles in two materials, in a checkerboard.
 ///
 /// Ambient and diffuse alternate; mirror, glint and transparency are the main material's.
 #[derive(Debug, Clone)]
 pub struct TiledPlane {
-    plane: Plane,
+    common: Common,
+    shape: Shape,
     frame: Frame,
     given_xdir: DVec3,
     tile: DVec2,
@@ -97,8 +100,10 @@ impl TiledPlane {
     /// A plane of tiles of this size along `xdir`.
     ///
     /// # Errors
-    /// Refuses an `xdir` that is zero or parallel to the normal, and a size not above zero.
+    /// Returns an error for an `xdir` that is zero or parallel to the normal, and for a size that is
+    /// not above zero.
     pub fn new(
+        common: Common,
         plane: Plane,
         xdir: DVec3,
         tile: DVec2,
@@ -114,7 +119,8 @@ impl TiledPlane {
             ));
         }
         Ok(Self {
-            plane,
+            common,
+            shape: plane.into(),
             frame,
             given_xdir: xdir,
             tile,
@@ -124,29 +130,62 @@ impl TiledPlane {
         })
     }
 
-    /// The colour of one of the two materials, whichever lies at a hit; beyond 2⁵³ tiles no double
-    /// says which, and their mean is seen.
-    fn color_at(&self, hit: &Hit, color: impl Fn(&Material) -> Rgb) -> Rgb {
-        let (tile, main_parity) = match self.start {
+    /// The numbers of the tile at a hit, exactly; those of the course's programs are rounded.
+    fn tile_at(&self, hit: &Hit, ray: &Ray) -> DVec2 {
+        let along = |vector: DVec3| DVec2::new(self.frame.x.dot(vector), self.frame.y.dot(vector));
+        let Some(flat) = self.shape.carrier() else {
+            return DVec2::ZERO;
+        };
+        if self.start == TileStart::Course {
+            let big = DVec2::splat(TileStart::BIG);
+            return ((along(hit.point.world()) + big) / self.tile).floor();
+        }
+        let exact = |axis: usize| {
+            let offset = self.frame.exact_offset(flat, ray);
+            offset.map_or(RBig::ZERO, |offset| offset[axis].clone())
+        };
+        let size = ray.size() + Point::exact(flat.point).size() + hit.t;
+        let bound = 3.0 * hit.error + FOOT * size;
+        let uv = along(hit.point.offset);
+        let [x, y] = &self.grids;
+        DVec2::new(
+            x.cell(x.settled(uv.x, bound, || exact(0))),
+            y.cell(y.settled(uv.y, bound, || exact(1))),
+        )
+    }
+
+    /// The numbers of the tile at a hit, by the classic numerics.
+    fn classic_tile_at<T: Scalar>(&self, hit: &Hit) -> DVec2 {
+        let axes = [self.frame.x, self.frame.y].map(Vector::of);
+        let tile = self.tile.to_array().map(T::of);
+        let point = Vector::of(hit.point.world());
+        let along = |vector: Vector<T>| axes.map(|axis| axis.dot(vector));
+        let [x, y] = match self.start {
             TileStart::Point => {
-                let [x, y] = &self.grids;
-                (DVec2::new(x.cell(hit.uv.x), y.cell(hit.uv.y)), 0.0)
+                let [x, y] = along(point - Vector::of(self.shape.anchor()));
+                [x / tile[0], y / tile[1]].map(T::floor)
             }
             TileStart::Course => {
-                let world = hit.point.world();
-                let along = DVec2::new(self.frame.x.dot(world), self.frame.y.dot(world));
-                (
-                    ((along + DVec2::splat(TileStart::BIG)) / self.tile).floor(),
-                    1.0,
-                )
+                let big = T::of(TileStart::BIG);
+                let [x, y] = along(point);
+                [(x + big) / tile[0], (y + big) / tile[1]]
             }
         };
-        let (main, alternate) = (color(&self.plane.common().material), color(&self.alternate));
+        DVec2::new(x.int().into(), y.int().into())
+    }
+
+    /// The colour of the material at a resolved hit.
+    ///
+    /// Beyond 2⁵³ tiles no double tells the tile, and the colour is the mean of both.
+    fn color_at(&self, hit: &Hit, color: impl Fn(&Material) -> Rgb) -> Rgb {
+        let (main, alternate) = (color(&self.common.material), color(&self.alternate));
+        let tile = hit.uv;
         if tile.abs().max_element() >= Grid::MOST_CELLS {
             return (main + alternate) / 2.0;
         }
         let parity = (tile.x.rem_euclid(2.0) + tile.y.rem_euclid(2.0)).rem_euclid(2.0);
-        if parity == main_parity {
+        let is_odd = parity == 1.0;
+        if is_odd == (self.start == TileStart::Course) {
             main
         } else {
             alternate
@@ -155,74 +194,36 @@ impl TiledPlane {
 }
 
 impl Surface for TiledPlane {
-    fn hits(&self, ray: &Ray, span: Span) -> Option<Hit> {
-        let hit = self.plane.hits(ray, span)?;
-        let offset = hit.point.offset;
-        let uv = DVec2::new(self.frame.x.dot(offset), self.frame.y.dot(offset));
-        Some(Hit { uv, ..hit })
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn shape_mut(&mut self) -> &mut Shape {
+        &mut self.shape
     }
 
     fn common(&self) -> &Common {
-        self.plane.common()
-    }
-
-    fn anatomy(&self) -> Option<Anatomy<'_>> {
-        Some(self.plane.anatomy()?.covered(Cover::Tiles {
-            axes: [self.frame.x, self.frame.y],
-            tile: self.tile,
-            start: self.start,
-            alternate: &self.alternate,
-        }))
+        &self.common
     }
 
     fn describe(&self) -> Node {
         let alternate = self.alternate.name.as_str();
         let node = Node::new(&Self::SCHEMA, None).with("alternate", alternate);
-        self.plane
+        self.shape
             .describe_into(node)
             .with("xdir", self.given_xdir)
             .with("dimensions", self.tile)
             .with("start", self.start.word())
     }
 
-    fn flat(&self) -> Option<&Flat> {
-        self.plane.flat()
-    }
-
-    fn exact_geometry(&self) -> Option<ExactGeometry> {
-        self.plane.exact_geometry()
-    }
-
-    fn weld(&mut self, plane: &Flat, borders: &[Option<Line>]) {
-        self.plane.weld(plane, borders);
-    }
-
-    fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
-        self.plane.exact_distance(ray)
-    }
-
-    fn occludes(&self, segment: &Segment, end: Side) -> bool {
-        self.plane.occludes(segment, end)
-    }
-
-    fn settle(&self, hit: &mut Hit, ray: &Ray) {
-        if self.start == TileStart::Course {
-            return;
-        }
-        let Some(flat) = self.plane.flat() else {
-            return;
+    fn resolve(&self, hit: &Hit, ray: &Ray, numerics: Numerics) -> Resolved {
+        let uv = match numerics {
+            Numerics::Robust => self.tile_at(hit, ray),
+            Numerics::Classic => self.classic_tile_at::<f64>(hit),
+            Numerics::ClassicF32 => self.classic_tile_at::<f32>(hit),
         };
-        let [x, y] = &self.grids;
-        let exact = |axis: usize| {
-            let offset = self.frame.exact_offset(flat, ray);
-            offset.map_or(RBig::ZERO, |offset| offset[axis].clone())
-        };
-        let reach = ray.size() + Point::exact(flat.point).size() + hit.t;
-        let doubt = 3.0 * hit.error + FOOT * reach;
-        hit.uv = DVec2::new(
-            x.settled(hit.uv.x, doubt, || exact(0)),
-            y.settled(hit.uv.y, doubt, || exact(1)),
-        );
+        let texel = Rgb::WHITE;
+        Resolved { uv, texel }
     }
 
     fn getamb(&self, hit: &Hit) -> Rgb {
@@ -234,7 +235,7 @@ impl Surface for TiledPlane {
     }
 
     fn brightest(&self) -> [f64; 2] {
-        let both = [&self.plane.common().material, &self.alternate];
+        let both = [&self.common.material, &self.alternate];
         let largest = |color: fn(&Material) -> Rgb| {
             let channels = both.map(|material| color(material).largest());
             channels[0].max(channels[1])
@@ -243,5 +244,51 @@ impl Surface for TiledPlane {
             largest(|material| material.ambient),
             largest(|material| material.diffuse),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::classic;
+    use crate::math::{Span, unit};
+
+    fn material(name: &str, ambient: f64) -> Arc<Material> {
+        Arc::new(Material {
+            name: name.to_owned(),
+            ambient: Rgb::new(ambient, ambient, ambient),
+            ..(*Common::black(None, None).material).clone()
+        })
+    }
+
+    /// Numbers from −1 to 1 without rhyme, the same on every run (Weyl 1916).
+    fn scatter(index: u32) -> [f64; 2] {
+        [2f64.sqrt(), 3f64.sqrt()].map(|root| (f64::from(index) * root).fract() * 2.0 - 1.0)
+    }
+
+    #[test]
+    fn classic_tiles_alternate_as_the_robust_ones_do() {
+        for start in [TileStart::Point, TileStart::Course] {
+            let plane = Plane::new(DVec3::new(0.3, 0.0, 0.1), DVec3::Y).expect("a plane");
+            let (common, tile) = (Common::new(material("main", 2.0)), DVec2::new(1.5, 0.5));
+            let other = material("other", 3.0);
+            let tiled = TiledPlane::new(common, plane, DVec3::X, tile, start, other);
+            let tiled = tiled.expect("tiles");
+            for index in 0..1000 {
+                let [x, z] = scatter(index).map(|place| place * 20.0);
+                let down = unit(DVec3::NEG_Y).expect("a direction");
+                let down = Ray::new(Point::exact(DVec3::new(x, 1.0, z)), down);
+                let ambient = |hit: Option<Hit>, numerics| {
+                    let hit = hit.expect("a hit");
+                    tiled.getamb(&hit.resolved(tiled.resolve(&hit, &down, numerics)))
+                };
+                let classic = classic::intersect::<f64>(tiled.shape(), &down, Span::AHEAD);
+                assert_eq!(
+                    ambient(tiled.hits(&down, Span::AHEAD), Numerics::Robust),
+                    ambient(classic, Numerics::Classic),
+                    "{start:?}"
+                );
+            }
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod anisotropic;
 mod area;
 mod bilinear;
+mod classic;
 mod decode;
 mod fetches;
 mod filter;
@@ -13,6 +14,7 @@ mod pyramid;
 mod sums;
 mod wrap;
 
+pub use classic::{gettexel, texture_map};
 pub use decode::{DecodeError, ImageFileError, LONGEST_SIDE, MOST_TEXELS, check, decode};
 pub use fetches::fetched_by_this_thread;
 pub use filter::Filter;

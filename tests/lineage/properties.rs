@@ -3,9 +3,9 @@
 use std::sync::LazyLock;
 
 use glam::DVec3;
-use heliodon::accel::{SurfaceList, supports};
 use heliodon::math::{Point, Ray, Side, Span, unit};
 use heliodon::surface::Surface;
+use heliodon::visibility::{SurfaceList, carriers};
 use proptest::prelude::*;
 
 use super::tools::{Stage, ray};
@@ -55,13 +55,13 @@ proptest! {
             prop_assume!(hit.t < 100.0);
             let place = hit.point.world();
             prop_assert!((place - ray.at(hit.t).world()).length() < ROUNDING * 100.0);
-            if let Some(flat) = surface.flat() {
+            if let Some(flat) = surface.shape().carrier() {
                 prop_assert!(flat.normal.dot(hit.point.from(flat.point)).abs() < ROUNDING);
             }
             let (nudge, one) = (hit.normal * 1e-6, Point::exact);
-            prop_assert_eq!(surface.side(&one(place + nudge)), Side::Front);
-            prop_assert_eq!(surface.side(&one(place - nudge)), Side::Back);
-            if let Some(bounds) = surface.bounds() {
+            prop_assert_eq!(surface.shape().side(&one(place + nudge)), Side::Front);
+            prop_assert_eq!(surface.shape().side(&one(place - nudge)), Side::Back);
+            if let Some(bounds) = surface.shape().bounds() {
                 let slack = DVec3::splat(ROUNDING);
                 prop_assert!(place.cmpge(bounds.min - slack).all(), "{} {:?}", place, bounds);
                 prop_assert!(place.cmple(bounds.max + slack).all(), "{} {:?}", place, bounds);
@@ -80,9 +80,9 @@ proptest! {
         let ray_origin = left.ray_origin(&ray, &hit);
         let onward = Ray::spawn(&ray_origin, unit(onward).unwrap());
         if let Some((met, _)) = list.nearest(&onward, Span::AHEAD, &mut 0) {
-            prop_assert_ne!(met.support, left.support);
+            prop_assert_ne!(met.carrier, left.carrier);
             prop_assert_ne!(met.index, left.index);
-            if let (Some(a), Some(b)) = (met.surface.flat(), left.surface.flat()) {
+            if let (Some(a), Some(b)) = (met.surface.shape().carrier(), left.surface.shape().carrier()) {
                 prop_assert_ne!(a.decisive(), b.decisive());
             }
         }
@@ -144,7 +144,7 @@ proptest! {
             plane(other + normal, normal),
         ];
         let surfaces = Stage::eye(&text.concat()).scene().surfaces;
-        let sheets = supports(&surfaces);
+        let sheets = carriers(&surfaces);
         prop_assert_eq!(sheets[0], sheets[1]);
         prop_assert_eq!(sheets[0], sheets[2]);
         prop_assert_ne!(sheets[0], sheets[3]);

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+
+use support::files::{repository, sources, stem};
 
 /// How many numbers each list of the table has.
 const LISTS: [(char, u32); 4] = [('R', 45), ('G', 16), ('S', 16), ('P', 5)];
@@ -12,12 +13,8 @@ const WORDS: &str = "plane_t fplane_t texplane_t texture_t hits dump_obj getamb 
     texture_map gettexel mapdiff getdim matamb matdiff vl_mult3 hitloc testhit lasthit xdir width \
     height imagename pix_x_size pix_y_size mode light_visible";
 
-fn project() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 fn page() -> String {
-    fs::read_to_string(project().join("docs/lineage.md")).unwrap()
+    fs::read_to_string(repository("docs/lineage.md")).unwrap()
 }
 
 /// The words in backticks.
@@ -50,9 +47,8 @@ fn rows(page: &str) -> Vec<(&str, Vec<&str>)> {
 /// The tests of this folder by name, with the numbers that their comments begin with.
 fn tests() -> BTreeMap<String, BTreeSet<String>> {
     let mut tests = BTreeMap::new();
-    for path in sources(&project().join("tests/lineage")) {
-        let module = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let text = fs::read_to_string(&path).unwrap();
+    for (path, text) in sources(repository("tests/lineage")) {
+        let module = stem(&path);
         let (mut comment, mut is_test) = (String::new(), false);
         for line in text.lines().map(str::trim) {
             if let Some(more) = line.strip_prefix("///") {
@@ -71,23 +67,6 @@ fn tests() -> BTreeMap<String, BTreeSet<String>> {
         }
     }
     tests
-}
-
-/// The Rust files of a folder and the folders in it.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    let found = entries.flat_map(|path| {
-        if path.is_dir() {
-            sources(&path)
-        } else {
-            vec![path]
-        }
-    });
-    found
-        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
-        .collect()
 }
 
 /// R1 to R45, G1 to G16 and all others have one row each, in order.
@@ -160,11 +139,8 @@ fn the_chapters_words_have_a_place() {
         ours.extend(quoted(right));
     }
     assert_eq!(theirs, WORDS.split_whitespace().collect());
-    let code = sources(&project().join("src"));
-    let code: String = code
-        .iter()
-        .map(|path| fs::read_to_string(path).unwrap())
-        .collect();
+    let code = sources(repository("src"));
+    let code: String = code.into_iter().map(|(_, text)| text).collect();
     for place in ours.into_iter().filter(|place| *place != "*") {
         let name = place.rsplit("::").next().unwrap();
         let declared = ["fn ", "struct ", "enum ", "trait ", "pub ", "\"", "mod "]

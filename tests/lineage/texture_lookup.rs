@@ -132,7 +132,7 @@ fn a_texture_plane_is_a_finite_plane() {
         }
     }
     assert!(met > 50, "{met}");
-    assert_eq!(plane.bounds(), textured.bounds());
+    assert_eq!(plane.shape().bounds(), textured.shape().bounds());
 }
 
 /// G14: the nearest texel is shown, and nothing between two.

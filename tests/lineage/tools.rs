@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use heliodon::film::Film;
-use heliodon::math::{Point, Ray, Rgb, Span, unit};
+use heliodon::math::{Numerics, Point, Ray, Rgb, Span, unit};
 use heliodon::read::{Options, Reading, SceneError, read_bytes};
 use heliodon::render::{Counts, render};
 use heliodon::scene::Scene;
@@ -142,9 +142,8 @@ pub(super) fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<'static> {
 /// The first hit of a ray on a surface.
 pub(super) fn hit(surface: &dyn Surface, origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
     let ray = ray(origin, direction);
-    let mut hit = surface.hits(&ray, Span::AHEAD)?;
-    surface.settle(&mut hit, &ray);
-    Some(hit)
+    let hit = surface.hits(&ray, Span::AHEAD)?;
+    Some(hit.resolved(surface.resolve(&hit, &ray, Numerics::Robust)))
 }
 
 /// Compares with a colour computed on paper; a few roundings are allowed.

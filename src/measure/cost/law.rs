@@ -1,42 +1,44 @@
-//! What a dial buys for time.
+//! Error of a setting as a function of time.
 
 use serde::Serialize;
 
 use super::choice::most_accurate;
-use super::{DIALS, Dial, Measured};
+use super::measurement::Measurement;
+use super::varied::VARIED;
 use crate::measure::Timing;
+use crate::scene::SettingKind;
 
-/// What a dial buys for time, by its own error.
+/// Relation of the own error of a setting and its time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
-    /// The dial.
-    pub dial: &'static str,
-    /// The rung whose own error is least, the cheapest of those that nobody can tell apart.
+    /// The setting.
+    pub setting: &'static str,
+    /// Label of the step with the least own error, the cheapest of those that cannot be told apart.
     pub most_accurate: String,
-    /// How time and error go together.
+    /// Relation of error and time.
     pub trade: Trade,
 }
 
-/// How the time that a dial takes and its own error go together.
+/// Relation of the own error of a setting and its time.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Trade {
     /// Error falls as a power of the time.
     Power {
-        /// The exponent of the time; below zero.
+        /// Exponent of the time; below zero.
         of_time: f64,
-        /// The exponent of the dial's number.
+        /// Exponent of the setting's value.
         of_value: f64,
-        /// How many times as long a picture with half the error takes.
+        /// Ratio of times of a picture with half the error.
         halving: f64,
     },
-    /// More accuracy takes no more time, as far as can be told.
+    /// More accuracy takes no measurable time.
     Free,
-    /// The steps are words, and follow no law.
+    /// The values are words, and follow no law.
     Words,
 }
 
-/// A step of a dial that takes a number; all above zero.
+/// A step of a setting that takes a number; all above zero.
 #[derive(Debug, Clone, Copy)]
 struct Point {
     time: Timing,
@@ -44,55 +46,53 @@ struct Point {
     error: f64,
 }
 
-/// Steps whose times are this close, within their deviations, cost the same.
+/// Ratio of times, within their deviations, up to which they count as equal.
 const ALIKE: f64 = 1.1;
 
-/// The same of times that were taken once, whose deviations nobody knows.
+/// The same ratio of times of a single run, whose deviations are unknown.
 const ALIKE_ONCE: f64 = 1.5;
 
-/// The laws of all dials that were turned, if the reference is so far off itself.
-pub(super) fn all(rungs: &[Measured], doubt: f64) -> Vec<Law> {
-    let turned = DIALS.iter().filter(|dial| {
-        let mut turned = rungs.iter().filter(|rung| rung.dial.is_some());
-        turned.any(|rung| rung.own(dial.word).is_some())
-    });
-    turned.filter_map(|dial| law(dial, rungs, doubt)).collect()
+/// Laws of all settings that are varied alone; `noise` is the RMSE of the reference.
+pub(super) fn all(steps: &[Measurement], noise: f64) -> Vec<Law> {
+    let is_varied = |kind: &&SettingKind| {
+        let mut varied = steps.iter().filter(|step| step.setting.is_some());
+        varied.any(|step| step.own(kind.word).is_some())
+    };
+    let varied = VARIED.into_iter().filter(is_varied);
+    varied.filter_map(|kind| law(kind, steps, noise)).collect()
 }
 
-fn law(dial: &Dial, rungs: &[Measured], doubt: f64) -> Option<Law> {
-    let steps = rungs
+fn law(kind: &SettingKind, steps: &[Measurement], noise: f64) -> Option<Law> {
+    let own = steps
         .iter()
-        .filter_map(|rung| Some((rung, rung.own(dial.word)?)));
-    let steps: Vec<_> = steps.collect();
-    // What a picture is compared with to tell a dial's own error is not in doubt, but for the reference.
-    let doubt = if dial.by_reference { doubt } else { 0.0 };
-    let best = most_accurate(steps.iter().map(|(rung, own)| (*rung, own.rmse)), doubt)?;
-    let points = steps.iter().filter_map(|(rung, own)| {
-        let (time, value, error) = (rung.cpu, own.value?, own.rmse);
-        let point = Point { time, value, error };
+        .filter_map(|step| Some((step, step.own(kind.word)?)));
+    let own: Vec<_> = own.collect();
+    // The noise of the reference is in errors against it alone.
+    let noise = if kind.by_reference { noise } else { 0.0 };
+    let best = most_accurate(own.iter().map(|(step, own)| (*step, own.rmse)), noise)?;
+    let points = own.iter().filter_map(|(step, own)| {
+        let (time, value, error) = (step.cpu, own.value?, own.rmse);
         let numbers = [time.median, value, error];
+        let point = Point { time, value, error };
         numbers.iter().all(|it| *it > 0.0).then_some(point)
     });
     let points: Vec<_> = points.collect();
-    let words = steps.iter().any(|(_, own)| own.value.is_none());
     Some(Law {
-        dial: dial.word,
+        setting: kind.word,
         most_accurate: best.label.clone(),
-        trade: if words {
+        trade: if own.iter().any(|(_, own)| own.value.is_none()) {
             Trade::Words
         } else {
-            trade(&points, doubt)
+            trade(&points, noise)
         },
     })
 }
 
-/// How times, numbers and errors go together, if nobody can tell errors apart that differ by no more than
-/// the doubt.
-fn trade(points: &[Point], doubt: f64) -> Trade {
+/// Fits powers to points whose errors cannot be told apart within the noise.
+fn trade(points: &[Point], noise: f64) -> Trade {
     let against = |x: fn(&Point) -> f64| exponent(points.iter().map(|it| [x(it), it.error]));
-    let exponents = [against(|it| it.time.median), against(|it| it.value)];
-    match exponents {
-        [Some(of_time), Some(of_value)] if of_time < 0.0 && differ(points, doubt) => Trade::Power {
+    match [against(|it| it.time.median), against(|it| it.value)] {
+        [Some(of_time), Some(of_value)] if of_time < 0.0 && differ(points, noise) => Trade::Power {
             of_time,
             of_value,
             halving: libm::exp2(-1.0 / of_time),
@@ -101,9 +101,9 @@ fn trade(points: &[Point], doubt: f64) -> Trade {
     }
 }
 
-/// Whether errors differ by more than the doubt, and the longest time is longer than the shortest however
-/// far both may be off.
-fn differ(points: &[Point], doubt: f64) -> bool {
+/// True if errors differ by more than the noise, and the extreme times by more than their
+/// deviations.
+fn differ(points: &[Point], noise: f64) -> bool {
     let errors = || points.iter().map(|point| point.error);
     let least = errors().fold(f64::INFINITY, f64::min);
     let by_time = |one: &&Point, other: &&Point| one.time.median.total_cmp(&other.time.median);
@@ -115,32 +115,27 @@ fn differ(points: &[Point], doubt: f64) -> bool {
         [Some(short), Some(long)] => longest.median - long > ALIKE * (shortest.median + short),
         _ => longest.median > ALIKE_ONCE * shortest.median,
     };
-    is_longer && errors().fold(0.0, f64::max) - least > doubt
+    is_longer && errors().fold(0.0, f64::max) - least > noise
 }
 
-/// The exponent of the power of the first numbers that fits the second ones best: least squares of
-/// their logarithms. All have to be above zero; `None` of fewer than two different first ones.
+/// Exponent `p` of the best fit `y ∝ x^p` of points `[x, y]`, by least squares of their logarithms.
+///
+/// All numbers have to be above zero; `None` of fewer than two different `x`.
 #[must_use]
 pub fn exponent(points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let points: Vec<_> = points.map(|point| point.map(libm::log)).collect();
-    #[expect(clippy::cast_precision_loss, reason = "a few rungs")]
+    #[expect(clippy::cast_precision_loss, reason = "a few points")]
     let count = points.len() as f64;
-    let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
-    let [x, y] = [mean(0), mean(1)];
-    let spread: f64 = points
-        .iter()
-        .map(|point| (point[0] - x) * (point[0] - x))
-        .sum();
-    let together: f64 = points
-        .iter()
-        .map(|point| (point[0] - x) * (point[1] - y))
-        .sum();
+    let [x, y] = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
+    let from_mean = points.iter().map(|point| [point[0] - x, point[1] - y]);
+    let spread: f64 = from_mean.clone().map(|[x, _]| x * x).sum();
+    let together: f64 = from_mean.map(|[x, y]| x * y).sum();
     (spread > 0.0).then(|| together / spread)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::measured::Own;
+    use super::super::attribution::OwnError;
     use super::*;
 
     fn point([median, value, error]: [f64; 3], deviation: Option<f64>) -> Point {
@@ -179,9 +174,9 @@ mod tests {
     #[test]
     fn what_takes_no_longer_is_free() {
         let alike = [[1.0, 0.1, 0.1], [1.05, 0.01, 0.01], [1.02, 0.001, 0.001]];
-        let trade = |points: &[[f64; 3]], doubt| {
+        let trade = |points: &[[f64; 3]], noise| {
             let points = points.iter().map(|it| point(*it, Some(0.0)));
-            trade(&points.collect::<Vec<_>>(), doubt)
+            trade(&points.collect::<Vec<_>>(), noise)
         };
         assert_eq!(trade(&alike, 0.0), Trade::Free);
         assert_eq!(trade(&[], 0.0), Trade::Free);
@@ -192,30 +187,26 @@ mod tests {
             "longer and no more accurate"
         );
         let near = [[1.0, 1.0, 0.11], [2.0, 2.0, 0.1]];
-        assert_eq!(
-            trade(&near, 0.02),
-            Trade::Free,
-            "as far as anybody can tell"
-        );
+        assert_eq!(trade(&near, 0.02), Trade::Free, "within the noise");
         assert_ne!(trade(&near, 0.005), Trade::Free);
     }
 
-    /// Steps of a dial: what it is turned to if that is a number, the time, and the dial's own error.
-    fn steps<const N: usize>(steps: [(Option<f64>, f64, f64); N]) -> [Measured; N] {
-        steps.map(|(value, seconds, rmse)| Measured {
-            own: vec![Own {
-                dial: "samples",
-                step: format!("{value:?}"),
+    /// Steps of a setting: its value if that is a number, the time, and its own error.
+    fn steps<const N: usize>(steps: [(Option<f64>, f64, f64); N]) -> [Measurement; N] {
+        steps.map(|(value, seconds, rmse)| Measurement {
+            own: vec![OwnError {
+                setting: "samples",
+                text: format!("{value:?}"),
                 value,
                 rmse,
             }],
             // Its error against the reference is of no account.
-            ..Measured::example(&format!("{value:?} {seconds}"), seconds, 0.5)
+            ..Measurement::example(&format!("{value:?} {seconds}"), seconds, 0.5)
         })
     }
 
-    fn samples() -> &'static Dial {
-        Dial::of("samples").expect("a dial")
+    fn samples() -> &'static SettingKind {
+        SettingKind::varied("samples").expect("a setting")
     }
 
     #[test]
@@ -235,8 +226,8 @@ mod tests {
             panic!("no power");
         };
         assert!((of_time + 1.0).abs() < 1e-9 && (of_value + 2.0).abs() < 1e-9);
-        let pattern = Dial::of("pattern").expect("a dial");
-        assert_eq!(super::law(pattern, &steps, 0.0), None, "it was not turned");
+        let pattern = SettingKind::varied("pattern").expect("a setting");
+        assert_eq!(super::law(pattern, &steps, 0.0), None, "it was not varied");
     }
 
     #[test]

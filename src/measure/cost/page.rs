@@ -1,77 +1,69 @@
-//! The cost of accuracy as a page that needs nothing else.
+//! Results as a self-contained HTML page.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 
-use super::plot::color;
-use super::words::percent;
-use super::{Best, Blame, Cost, Law, Measured, pictures};
+use super::choice::Best;
+use super::measurement::Measurement;
+use super::pictures;
+use super::plot::hue;
+use super::run::Cost;
 use crate::language::ValueError;
 use crate::measure::Timing;
-use crate::measure::clock::in_words;
-use crate::measure::plot::{STYLE, escaped};
+use crate::measure::plot::{STYLE, color_class, escaped};
+use crate::measure::text::{duration, percent};
 
 const TEMPLATE: &str = include_str!("page.html");
 
 impl Cost {
-    /// The page, about a scene that is called this, with the answers to what else was asked, each
-    /// after a word for it.
+    /// The page for a scene with this title, with further choices and their titles.
     ///
     /// # Errors
-    /// Refuses a picture that cannot be kept.
-    pub fn page(&self, scene: &str, answers: &[(&str, Best)]) -> Result<String, ValueError> {
+    /// Refuses a picture that cannot be encoded.
+    pub fn page(&self, scene: &str, choices: &[(&str, Best)]) -> Result<String, ValueError> {
         let reference = pictures::png(&self.reference.film)?;
         let [width, height] = self.size;
-        let parts = |word: &str| match word {
+        let part = |word: &str| match word {
             "scene" => escaped(scene),
             "size" => format!("{width} × {height}"),
             "aspect" => format!("{width} / {height}"),
             "runs" => unbroken(&self.runs_words()),
             "reference" => unbroken(&self.reference_words()),
             "advice" => {
-                let answers = answers.iter().map(|(word, best)| self.answer(word, best));
-                self.answer("recommended", &self.recommended) + &answers.collect::<String>()
+                let choices = choices.iter().map(|(title, best)| self.choice(title, best));
+                self.choice("recommended", &self.recommended) + &choices.collect::<String>()
             }
-            "laws" => {
-                let law = |law: &Law| sentence(law.dial, &law.words(&self.rungs));
-                let blame = |blame: &Blame| sentence(&blame.setting(), &blame.words());
-                let laws = self.laws.iter().map(law);
-                let met = self.met_words();
-                let met = met.iter().map(|words| sentence("max-error", words));
-                laws.chain(met)
-                    .chain(self.blames.iter().map(blame))
-                    .collect()
-            }
+            "sections" => self.sections().map(section).collect(),
             "style" => STYLE.to_owned(),
-            "wide" => self.plot_element("wide", [1000.0, 520.0]),
-            "narrow" => self.plot_element("narrow", [390.0, 470.0]),
-            "rows" => self.rungs.iter().enumerate().map(row).collect(),
+            "wide" => self.scatter().element("wide", [1000.0, 520.0]),
+            "narrow" => self.scatter().element("narrow", [390.0, 470.0]),
+            "rows" => self.steps.iter().enumerate().map(row).collect(),
             "data" => self.data(&reference),
             _ => String::new(),
         };
-        Ok(filled(TEMPLATE, parts))
+        Ok(filled(TEMPLATE, part))
     }
 
-    /// What is the best by some rule, and why; where there is a rung, it can be chosen.
-    fn answer(&self, word: &str, best: &Best) -> String {
-        let choice = match self.number_of(best) {
-            Some(rung) => format!(" data-rung=\"{rung}\" tabindex=\"0\" role=\"button\""),
+    /// A choice and its reason; its step can be selected.
+    fn choice(&self, title: &str, best: &Best) -> String {
+        let select = match self.number_of(best) {
+            Some(step) => format!(" data-step=\"{step}\" tabindex=\"0\" role=\"button\""),
             None => " class=\"none\"".to_owned(),
         };
-        let [word, title, why] = [word, best.title(), &best.why].map(unbroken);
-        format!("<dt>{word}</dt><dd><strong{choice}>{title}</strong> <span>{why}</span></dd>\n")
+        let [title, label, why] = [title, best.title(), &best.why].map(unbroken);
+        format!("<dt>{title}</dt><dd><strong{select}>{label}</strong> <span>{why}</span></dd>\n")
     }
 
-    /// The place of a rung in the ladder.
+    /// Place of the chosen step in the sweep.
     fn number_of(&self, best: &Best) -> Option<usize> {
-        let mut rungs = self.rungs.iter();
-        rungs.position(|rung| Some(&rung.label) == best.label.as_ref())
+        let mut steps = self.steps.iter();
+        steps.position(|step| Some(&step.label) == best.label.as_ref())
     }
 
-    /// What the page's script shows.
+    /// Data of the script of the page.
     fn data(&self, reference: &[u8]) -> String {
-        // Many rungs have the same picture; each is there once.
+        // Many steps have equal pictures; each is stored once.
         let mut files: Vec<&[u8]> = vec![reference];
         let mut number_of = |file| {
             let known = files.iter().position(|known| *known == file);
@@ -80,41 +72,45 @@ impl Cost {
                 files.len() - 1
             })
         };
-        let mut rungs = Vec::new();
-        for rung in &self.rungs {
-            let pictures = rung.pictures.as_ref();
-            let picture = pictures.map(|pictures| number_of(&pictures.picture));
-            let errors = pictures.map(|pictures| number_of(&pictures.errors));
-            rungs.push(json!({
-                "label": rung.label,
-                "cpu": in_words(rung.cpu.median),
-                "rmse": format!("{:.6}", rung.deviation.rmse),
-                "max": format!("{:.2}", rung.deviation.change.largest),
-                "off": percent(rung.deviation.change.pixels),
-                "picture": picture,
-                "errors": errors,
+        let mut steps = Vec::new();
+        for step in &self.steps {
+            let pictures = step.pictures.as_ref();
+            steps.push(json!({
+                "label": step.label,
+                "cpu": duration(step.cpu.median),
+                "rmse": format!("{:.6}", step.deviation.rmse),
+                "max": format!("{:.2}", step.deviation.change.largest),
+                "off": percent(step.deviation.change.pixels),
+                "picture": pictures.map(|pictures| number_of(&pictures.picture)),
+                "errors": pictures.map(|pictures| number_of(&pictures.errors)),
                 "worst": pictures.map(|pictures| &pictures.worst),
             }));
         }
+        let url = |png| format!("data:image/png;base64,{}", STANDARD.encode(png));
         let data = json!({
             "files": files.into_iter().map(url).collect::<Vec<_>>(),
-            "rungs": rungs,
+            "steps": steps,
             "start": self.number_of(&self.recommended).unwrap_or(0),
         });
-        // Nothing in it may end the script.
+        // No text in it may end the script.
         data.to_string().replace('<', "\\u003c")
     }
 }
 
-/// A sentence that begins with a dial or a rung, which is set apart.
-fn sentence(about: &str, words: &str) -> String {
-    let rest = words.strip_prefix(about).unwrap_or(words);
-    let rest = rest.trim_start_matches([':', ' ']);
+/// A title and a list of sentences.
+fn section((title, lines): (&str, Vec<String>)) -> String {
+    let lines: String = lines.iter().map(|line| sentence(line)).collect();
+    format!("<p>{title}</p>\n<ul>\n{lines}</ul>\n")
+}
+
+/// A sentence with the setting at its start set apart.
+fn sentence(words: &str) -> String {
+    let (about, rest) = words.split_once(": ").unwrap_or(("", words));
     let [about, rest] = [about, rest].map(unbroken);
     format!("<li><b>{about}</b> <span>{rest}</span></li>\n")
 }
 
-/// Text in which a number and its unit stay in one line.
+/// Text with each number and its unit in one line.
 fn unbroken(text: &str) -> String {
     const UNITS: [&str; 6] = ["%", "s", "ms", "µs", "dB", "code"];
     let mut parts: Vec<String> = Vec::new();
@@ -129,61 +125,47 @@ fn unbroken(text: &str) -> String {
         }
     }
     let whole = |part: &String| match part.contains('-') {
-        // An address of a file may be longer than a line.
+        // A path may be longer than a line.
         true if part.len() < 40 => format!("<span class=\"whole\">{}</span>", escaped(part)),
         _ => escaped(part),
     };
     parts.iter().map(whole).collect::<Vec<_>>().join(" ")
 }
 
-/// A rung's row of the table.
-fn row((number, rung): (usize, &Measured)) -> String {
-    let (class, better) = match &rung.dominated_by {
+/// Row of a step in the table.
+fn row((number, step): (usize, &Measurement)) -> String {
+    let deviation = &step.deviation;
+    let (class, better) = match &step.dominated_by {
         None => ("on-front", "none".to_owned()),
         Some(better) => ("", escaped(better)),
     };
-    let efficiency = rung
-        .efficiency
-        .map_or("–".to_owned(), |it| format!("{it:.0}"));
-    let cells = figures(rung).into_iter().chain([efficiency]);
-    let cells: String = cells.map(|cell| format!("<td>{cell}</td>")).collect();
-    format!(
-        "<tr class=\"{class}\" data-rung=\"{number}\" tabindex=\"0\"><th><i class=\"{}\"></i>{}</th>\
-         {cells}<td>{better}</td></tr>\n",
-        color(rung.dial),
-        escaped(&rung.label),
-    )
-}
-
-/// The figures of a rung's row: processor time, time, rays, and how far it is off.
-fn figures(rung: &Measured) -> [String; 9] {
-    let deviation = &rung.deviation;
     let wall = Timing {
         deviation: None,
-        ..rung.wall
+        ..step.wall
     };
-    let psnr = deviation
-        .psnr
-        .map_or("–".to_owned(), |psnr| format!("{psnr:.1}"));
-    [
-        rung.cpu.to_string(),
+    let or_dash = |number: Option<String>| number.unwrap_or("–".to_owned());
+    let cells = [
+        step.cpu.to_string(),
         wall.to_string(),
-        rung.rays.to_string(),
+        step.rays.to_string(),
         format!("{:.2}", deviation.change.largest),
         percent(deviation.change.pixels),
         format!("{:.6}", deviation.rmse),
-        psnr,
+        or_dash(deviation.psnr.map(|psnr| format!("{psnr:.1}"))),
         format!("{:.4}", deviation.ssim),
         format!("{:.4}", deviation.flip),
-    ]
+        or_dash(step.efficiency.map(|it| format!("{it:.0}"))),
+        better,
+    ];
+    let cells = cells.map(|cell| format!("<td>{cell}</td>")).concat();
+    let (color, label) = (color_class(hue(step)), escaped(&step.label));
+    format!(
+        "<tr class=\"{class}\" data-step=\"{number}\" tabindex=\"0\">\
+         <th><i class=\"{color}\"></i>{label}</th>{cells}</tr>\n"
+    )
 }
 
-/// A file within an address.
-fn url(png: &[u8]) -> String {
-    format!("data:image/png;base64,{}", STANDARD.encode(png))
-}
-
-/// A template in which every `{{word}}` is replaced.
+/// A template with every `{{word}}` replaced.
 fn filled(template: &str, part: impl Fn(&str) -> String) -> String {
     let mut text = String::new();
     let mut rest = template;
@@ -201,26 +183,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_sentence_is_about_is_set_apart() {
-        for (about, words, rest) in [
+    fn the_setting_of_a_sentence_is_set_apart() {
+        for (words, about, rest) in [
+            ("depth: own error 1 (8)", "depth", "own error 1 (8)"),
+            ("a=1: on plane c: d", "a=1", "on plane c: d"),
             (
+                "depth: own error 1.1e-8 in 1.23 ms, no ms in 2 s",
                 "depth",
-                "depth: by itself 8 errs by 1",
-                "by itself 8 errs by 1",
-            ),
-            (
-                "a=1 b=2",
-                "a=1 b=2 errs on plane c: d",
-                "errs on plane c: d",
-            ),
-            (
-                "depth",
-                "depth: by itself 8 errs by 1.1e-8 in 1.23 ms, no ms in 2 s",
-                "by itself 8 errs by <span class=\"whole\">1.1e-8</span> in 1.23\u{a0}ms, no ms in 2\u{a0}s",
+                "own error <span class=\"whole\">1.1e-8</span> in 1.23\u{a0}ms, no ms in 2\u{a0}s",
             ),
         ] {
             let expected = format!("<li><b>{about}</b> <span>{rest}</span></li>\n");
-            assert_eq!(sentence(about, words), expected);
+            assert_eq!(sentence(words), expected);
         }
     }
 }

@@ -1,14 +1,22 @@
-//! Pictures of pictures and of their errors, as PNG files.
+//! Pictures and their errors as PNG files.
 
-use super::Pictures;
 use crate::film::{Film, Rounding};
 use crate::language::ValueError;
-use crate::measure::change::shown;
+use crate::measure::deviation::largest_errors;
 
-/// The largest error in code values that is drawn black.
+/// Picture of a step and its errors as PNG files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Pictures {
+    pub(super) picture: Vec<u8>,
+    pub(super) errors: Vec<u8>,
+    /// Pixels with the largest errors, no two of them close to each other.
+    pub(super) worst: Vec<[usize; 2]>,
+}
+
+/// Largest error in code values that is drawn black.
 const FAINTEST: f64 = 1.0 / 16.0;
 
-/// Colours from no error to the largest, evenly on a logarithmic scale from [`FAINTEST`] to 255.
+/// Colours from [`FAINTEST`] to 255 code values, evenly on a logarithmic scale.
 const HEAT: [[f64; 3]; 6] = [
     [12.0, 12.0, 20.0],
     [58.0, 28.0, 104.0],
@@ -18,37 +26,31 @@ const HEAT: [[f64; 3]; 6] = [
     [255.0, 255.0, 220.0],
 ];
 
-/// A picture, its errors, and where they are largest.
-pub(super) fn of(film: &Film, reference: &Film) -> Result<Pictures, ValueError> {
-    let pairs = film.pixels().iter().zip(reference.pixels());
-    let errors = pairs.map(|(pixel, truth)| {
-        let [pixel, truth] = [pixel, truth].map(|pixel| pixel.channels().map(shown));
-        let channels = pixel.iter().zip(&truth);
-        channels.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-    });
-    let errors: Vec<_> = errors.collect();
-    let size = [film.width(), film.height()];
-    let (picture, heat) = rayon::join(|| png(film), || heat(&errors, size));
-    Ok(Pictures {
-        picture: picture?,
-        errors: heat.map_err(|error| cannot(&error.to_string()))?,
-        worst: worst(&errors, size),
-    })
+impl Pictures {
+    pub(super) fn of(film: &Film, reference: &Film) -> Result<Self, ValueError> {
+        let errors: Vec<_> = largest_errors(film, reference).collect();
+        let size = [film.width(), film.height()];
+        let (picture, heat) = rayon::join(|| png(film), || heat(&errors, size));
+        Ok(Self {
+            picture: picture?,
+            errors: heat?,
+            worst: worst(&errors, size),
+        })
+    }
 }
 
-/// A picture as a PNG file, as small as can be.
+/// A picture as a small PNG file.
 pub(super) fn png(film: &Film) -> Result<Vec<u8>, ValueError> {
     let bytes = film.bytes(Rounding::Nearest);
-    let encoded = encoded(&bytes, [film.width(), film.height()], None);
-    encoded.map_err(|error| cannot(&error.to_string()))
+    encoded(&bytes, [film.width(), film.height()], None)
 }
 
-/// Bytes of pixels as a PNG file: of true colours, or of a palette's.
+/// Pixels as a PNG file of true colours, or of those of a palette.
 fn encoded(
     bytes: &[u8],
     size: [usize; 2],
     palette: Option<Vec<u8>>,
-) -> Result<Vec<u8>, png::EncodingError> {
+) -> Result<Vec<u8>, ValueError> {
     let mut file = Vec::new();
     let [width, height] = size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
     let mut encoder = png::Encoder::new(&mut file, width, height);
@@ -59,19 +61,19 @@ fn encoded(
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette);
     }
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(bytes)?;
-    writer.finish()?;
+    let written = encoder.write_header().and_then(|mut writer| {
+        writer.write_image_data(bytes)?;
+        writer.finish()
+    });
+    written.map_err(|error| {
+        let reason = format!("cannot encode a picture: {error}");
+        ValueError::new("image", reason, "choose a smaller picture")
+    })?;
     Ok(file)
 }
 
-fn cannot(error: &str) -> ValueError {
-    let reason = format!("cannot keep a picture: {error}");
-    ValueError::new("image", reason, "choose a smaller picture")
-}
-
-/// Errors in code values as a picture of a few colours.
-fn heat(errors: &[f64], size: [usize; 2]) -> Result<Vec<u8>, png::EncodingError> {
+/// Errors in code values as a picture in colours of [`HEAT`].
+fn heat(errors: &[f64], size: [usize; 2]) -> Result<Vec<u8>, ValueError> {
     let palette = (0..=u8::MAX).flat_map(|index| {
         let place = f64::from(index) / 255.0 * 5.0;
         let lower = (0..5)
@@ -89,14 +91,14 @@ fn heat(errors: &[f64], size: [usize; 2]) -> Result<Vec<u8>, png::EncodingError>
     encoded(&codes, size, Some(palette.collect()))
 }
 
-/// The whole number next to this one, from 0 to 255.
+/// The nearest whole number from 0 to 255.
 #[expect(clippy::cast_possible_truncation, reason = "limited")]
 #[expect(clippy::cast_sign_loss, reason = "not negative")]
 fn byte(number: f64) -> u8 {
     number.round().clamp(0.0, 255.0) as u8
 }
 
-/// The pixels that are most off, no two of them in one crop.
+/// Pixels with the largest errors, no two of them in one crop of the page.
 fn worst(errors: &[f64], [width, _]: [usize; 2]) -> Vec<[usize; 2]> {
     const COUNT: usize = 4;
     const APART: usize = 24;

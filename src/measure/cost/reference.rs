@@ -1,147 +1,131 @@
-//! What pictures are compared with.
+//! Reference picture that all others are compared with.
 
 use std::path::Path;
 
-use super::dial::best_of;
-use super::{Ladder, draw};
+use serde::Serialize;
+
+use super::draw::draw;
+use super::sweep::Sweep;
+use super::varied::best_of;
 use crate::film::{Film, Transfer};
 use crate::language::ValueError;
-use crate::math::Rgb;
 use crate::measure::deviation::rmse;
 use crate::measure::{Appearance, Change, Deviation};
 use crate::render;
 use crate::scene::{RenderSettings, Scene};
-use serde::Serialize;
 
-/// The picture that all others are compared with.
+/// Reference picture that all others are compared with.
 #[derive(Debug, Clone, Serialize)]
 pub struct Reference {
-    /// The picture as it is shown.
+    /// Picture as it is shown.
     #[serde(skip)]
     pub film: Film,
-    /// What an eye sees of it.
     #[serde(skip)]
-    pub appearance: Appearance,
-    /// How it was made.
+    appearance: Appearance,
+    /// Its origin in words.
     pub about: String,
-    /// How far it may be off itself; `None` if nobody knows.
-    pub doubt: Option<Doubt>,
+    /// Its own error; `None` if unknown.
+    pub uncertainty: Option<Uncertainty>,
 }
 
-/// How far a reference is off itself, to judge by how its two halves differ.
+/// Own error of a reference, estimated as half the difference of its halves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Doubt {
-    /// The root mean square error; 1 is the largest code value.
+pub struct Uncertainty {
+    /// Root mean square error; 1 is the largest code value.
     pub rmse: f64,
-    /// The largest error in code values.
+    /// Largest error in code values.
     pub largest: f64,
 }
 
 impl Reference {
-    /// The best picture of a scene that there is, good enough for the rungs of a ladder.
-    ///
-    /// Every dial is at its best, and there are about as many samples as [`enough`] for each rung. They
-    /// are two pictures of *k²* and of *(k + 1)²* stratified samples, whose cells and so whose places
-    /// have nothing in common; half of what these differ by is how far their mean may be off.
-    ///
-    /// # Errors
-    /// Refuses what cannot be rendered.
-    pub(super) fn automatic(scene: &mut Scene, ladder: &Ladder) -> Result<Self, ValueError> {
-        let most = ladder.0.iter().map(|rung| enough(rung.picture)).max();
+    /// The most accurate picture of a scene, with about [`enough`] samples for each step of a sweep.
+    pub(super) fn automatic(scene: &mut Scene, sweep: &Sweep) -> Result<Self, ValueError> {
+        // Two halves of k² and (k + 1)² stratified samples: their cells, and so their places, differ,
+        // so half of their difference estimates the error of their mean.
+        let most = sweep.0.iter().map(|step| enough(step.settings)).max();
         let half = f64::from(most.unwrap_or(FEWEST).max(FEWEST)) / 2.0;
         #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
         #[expect(clippy::cast_sign_loss, reason = "positive")]
         let side = half.sqrt().min(255.0) as u32;
         let counts = [side * side, (side + 1) * (side + 1)];
         let best = best_of(scene.settings);
-        let mut halves = Vec::new();
-        for samples in counts {
-            let picture = RenderSettings { samples, ..best };
-            halves.push(draw(scene, picture)?.0);
-        }
+        let mut half = |samples| {
+            let drawn = draw(scene, RenderSettings { samples, ..best });
+            drawn.map(|(film, _)| film)
+        };
+        let [one, other] = [half(counts[0])?, half(counts[1])?];
         let [weight, other_weight] = counts.map(f64::from);
-        let film = mixed(&halves[0], &halves[1], weight / (weight + other_weight));
-        let halves = halves.into_iter().map(|half| half.shown(best.transfer));
-        let halves: Vec<_> = halves.collect();
-        let film = film.shown(best.transfer);
-        Ok(Self {
-            appearance: Appearance::of(&film),
-            film,
-            about: format!(
-                "{} samples in two halves, each dial at its best",
-                counts[0] + counts[1]
-            ),
-            doubt: Some(Doubt {
-                rmse: rmse(&halves[0], &halves[1]) / 2.0,
-                largest: Change::between(&halves[0], &halves[1]).largest / 2.0,
-            }),
-        })
+        let film = mixed(&one, &other, weight / (weight + other_weight));
+        let [one, other] = [one, other].map(|half| half.shown(best.transfer));
+        let uncertainty = Uncertainty {
+            rmse: rmse(&one, &other) / 2.0,
+            largest: Change::between(&one, &other).largest / 2.0,
+        };
+        let samples: u32 = counts.iter().sum();
+        let about = format!("{samples} samples in two halves, every setting at its best");
+        Ok(Self::new(
+            film.shown(best.transfer),
+            about,
+            Some(uncertainty),
+        ))
     }
 
-    /// A picture in a file: PNG, PPM or PFM, of the size of the scene's, whose curve this is.
+    /// Reads a PNG, PPM or PFM file with a picture of the scene's size and transfer curve.
     ///
     /// # Errors
-    /// Tells what is wrong with the file.
-    pub fn from_file(
-        path: &Path,
-        [width, height]: [u32; 2],
-        transfer: Transfer,
-    ) -> Result<Self, String> {
+    /// Describes what is wrong with the file.
+    pub fn from_file(path: &Path, size: [u32; 2], transfer: Transfer) -> Result<Self, String> {
         let film = Film::read(path, transfer)?;
-        if [film.width(), film.height()] != [width as usize, height as usize] {
+        let [width, height] = size;
+        let [own_width, own_height] = [film.width(), film.height()];
+        if [own_width, own_height] != size.map(|side| side as usize) {
             return Err(format!(
-                "it has {}x{} pixels, and the scene's picture {width}x{height}",
-                film.width(),
-                film.height()
+                "it has {own_width}x{own_height} pixels, and the scene's picture {width}x{height}"
             ));
         }
-        Ok(Self {
-            appearance: Appearance::of(&film),
-            film,
-            about: path.display().to_string(),
-            doubt: None,
-        })
+        Ok(Self::new(film, path.display().to_string(), None))
     }
 
-    /// How far a picture is from it.
+    fn new(film: Film, about: String, uncertainty: Option<Uncertainty>) -> Self {
+        Self {
+            appearance: Appearance::of(&film),
+            film,
+            about,
+            uncertainty,
+        }
+    }
+
+    /// Compares a picture with it.
     #[must_use]
     pub fn deviation(&self, picture: &Film) -> Deviation {
         Deviation::of(picture, &self.film, &self.appearance)
     }
+
+    /// RMSE below which errors cannot be told apart; zero if unknown.
+    pub(super) fn noise(&self) -> f64 {
+        self.uncertainty.map_or(0.0, |it| it.rmse)
+    }
 }
 
-/// About the fewest samples of a reference.
+/// Fewest samples of a reference, about.
 const FEWEST: u32 = 200;
 
-/// How many samples a reference has to have so that it is much better than a rung with these settings:
-/// six times as many, which leaves a quarter of the error at borders.
-///
-/// Of the rays that `max-error` adds where black borders on white, twice as many are enough: where there
-/// is less contrast, the rung has fewer rays, and the reference less error. There are no more for them
-/// than `max-error` may add to any pixel.
-fn enough(rung: RenderSettings) -> u32 {
-    let adaptive = 2 * render::rays_at_a_border(&rung);
-    (6 * rung.samples).max(adaptive.min(RenderSettings::MOST_ADAPTIVE))
+/// Samples with which a reference is much better than a picture with these settings.
+fn enough(settings: RenderSettings) -> u32 {
+    // Six times as many leave a quarter of the error at borders. Of the rays that `max-error` adds
+    // where black borders on white, twice as many suffice: with less contrast the picture has fewer
+    // rays, and the reference less error. There are no more than `max-error` may add to any pixel.
+    let adaptive = 2 * render::rays_at_a_border(&settings);
+    (6 * settings.samples).max(adaptive.min(RenderSettings::MOST_ADAPTIVE))
 }
 
-/// The weighted mean of two pictures.
+/// Weighted mean of two pictures.
 fn mixed(one: &Film, other: &Film, weight: f64) -> Film {
     let mut mixed = one.clone();
     for (pixel, other) in mixed.pixels_mut().iter_mut().zip(other.pixels()) {
         *pixel = (*pixel * weight + *other * (1.0 - weight)).saturated();
     }
     mixed
-}
-
-/// A picture as it is shown once it is written.
-pub(super) fn written(film: &Film, picture: RenderSettings) -> Film {
-    let mut written = film.clone();
-    for pixel in written.pixels_mut() {
-        let channels = pixel.channels();
-        let [r, g, b] = channels.map(|it| picture.depth.shown(it, picture.encoding()));
-        *pixel = Rgb::new(r, g, b);
-    }
-    written
 }
 
 #[cfg(test)]
@@ -168,8 +152,8 @@ mod tests {
         ] {
             let settings = [("samples", samples), ("max-error", max_error)];
             let settings = settings.map(|(word, text)| Setting::new(word, text).expect(text));
-            let rung = settings.iter().fold(base, |rung, it| rung.with(it));
-            assert_eq!(enough(rung), expected, "{samples} {max_error}");
+            let settings = settings.iter().fold(base, RenderSettings::with);
+            assert_eq!(enough(settings), expected, "{samples} {max_error}");
         }
     }
 }

@@ -1,138 +1,102 @@
-//! The cost of accuracy as a table.
+//! Results as a table of 80 columns.
 
 use std::fmt;
-use std::fmt::Write;
 
-use super::{Cost, Measured, chart};
-use crate::measure::Deviation;
-use crate::measure::clock::{Unit, three_digits};
+use super::measurement::Measurement;
+use super::run::Cost;
+use crate::measure::plot::names;
+use crate::measure::text::{Unit, aligned, three_digits, wrapped};
 
-/// How wide a line is at most, as terminals are.
-const WIDTH: usize = 80;
-
-/// How long a label may be beside its figures; `texture-filter=anisotropic` is. A longer one has lines
-/// of its own above them.
+/// Longest label beside its figures, such as `texture-filter=anisotropic`; a longer one has lines of
+/// its own above them.
 const LABEL: usize = 26;
 
-/// How many figures there are of each rung.
-const COLUMNS: usize = 7;
-
-/// What stands above them.
-const HEADS: [&str; COLUMNS] = ["cpu", "wall", "max", "off", "RMSE", "FLIP", "better"];
+/// Meaning of the columns.
+const LEGEND: &str = "\
+cpu     processor time of all threads
+wall    elapsed time
+max     largest error of a channel, in code values of 255
+off     pixels with an error above half a code value
+RMSE    root mean square error; 1 is white
+FLIP    perceived difference, from 0 (none) to 1 (Andersson et al. 2020)
+better  a setting at least as fast and as accurate; none on the Pareto front
+";
 
 impl fmt::Display for Cost {
-    /// The table of rungs, the plot in characters, and both in words.
+    /// Table, legend, plot in characters, and results in sentences.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (rows, chart, words) = (self.rows(), chart::chart(self), self.words());
-        write!(out, "{rows}\n{chart}\n{words}")
+        write!(out, "{}\n{LEGEND}\n{}\n", self.rows(), self.scatter())?;
+        writeln!(out, "{}\n", wrapped(&self.reference_words(), ""))?;
+        for line in self.words().lines() {
+            // A choice stays in one line, as a program may look for it.
+            if line.starts_with("recommended: ") {
+                writeln!(out, "{line}")?;
+            } else {
+                writeln!(out, "{}", wrapped(line, "  "))?;
+            }
+        }
+        Ok(())
     }
 }
 
 impl Cost {
-    /// A table with a row for each rung, which fits into 80 columns. In its last column stands the letter
-    /// of the rung that is better, or that the rung is on the Pareto front.
+    /// Table with a row for each step, in 80 columns; the last column has the letter of a step that
+    /// dominates it.
     #[must_use]
     pub fn rows(&self) -> String {
-        let times = self.rungs.iter().flat_map(|rung| [rung.cpu, rung.wall]);
+        let times = self.steps.iter().flat_map(|step| [step.cpu, step.wall]);
         let least = times.map(|time| time.median).min_by(f64::total_cmp);
         let unit = Unit::of(least.unwrap_or(1.0));
-        let units = [unit.word, unit.word, "/255", "%", "", "", "is"];
-        let mut rows = vec![Row::head("rung", HEADS), Row::head("", units)];
-        let rungs = self.rungs.iter().zip(chart::names());
-        rows.extend(rungs.map(|(rung, name)| Row {
-            name,
-            label: rung.label.clone(),
-            cells: self.cells(rung, unit),
-        }));
-        let widest = |text: &dyn Fn(&Row) -> &str, most: usize| {
-            let widths = rows.iter().map(|row| text(row).chars().count());
-            widths.filter(|wide| *wide <= most).max().unwrap_or(0)
+        let steps = self.steps.iter().zip(names());
+        let wide = names().take(self.steps.len()).map(|name| name.len()).max();
+        let wide = wide.unwrap_or(1);
+        let head = |text: &str| {
+            let cells = text.split(',').map(str::to_owned).collect::<Vec<_>>();
+            (String::new(), cells)
         };
-        let name = widest(&|row| &row.name, WIDTH);
-        let label = widest(&|row| &row.label, LABEL);
-        let cells: [_; COLUMNS] =
-            std::array::from_fn(|column| widest(&|row| &row.cells[column], WIDTH));
-        let lines = rows.iter().flat_map(|row| row.lines(name, label, cells));
-        lines
-            .map(|line| line.trim_end().to_owned() + "\n")
-            .collect()
+        let indent = " ".repeat(wide + 1);
+        let mut rows = vec![
+            head(&format!(
+                "{indent}setting,cpu,wall,max,off,RMSE,FLIP,better"
+            )),
+            head(&format!(",{0},{0},/255,%", unit.word)),
+        ];
+        rows.extend(steps.map(|(step, name)| {
+            let title = format!("{name:wide$} {}", step.label);
+            let mut cells = self.cells(step, unit).to_vec();
+            let is_long = step.label.chars().count() > LABEL;
+            let above = is_long.then(|| wrapped(&title, &indent) + "\n");
+            cells.insert(0, if is_long { String::new() } else { title });
+            (above.unwrap_or_default(), cells)
+        }));
+        let (above, rows): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+        let lines = above.into_iter().zip(aligned("<>>>>>><", &rows));
+        lines.map(|(above, line)| above + &line + "\n").collect()
     }
 
-    /// The figures of a rung.
-    fn cells(&self, rung: &Measured, unit: Unit) -> [String; COLUMNS] {
-        let Deviation {
-            change, rmse, flip, ..
-        } = rung.deviation;
-        let rmse = match rmse {
+    /// Figures of a step.
+    fn cells(&self, step: &Measurement, unit: Unit) -> [String; 7] {
+        let deviation = &step.deviation;
+        let rmse = match deviation.rmse {
             0.0 => "0".to_owned(),
             tiny if tiny < 0.001 => format!("{tiny:.2e}"),
             some => format!("{some:.5}"),
         };
+        let mut all = self.steps.iter().zip(names());
+        let better = all.find(|(other, _)| step.dominated_by.as_ref() == Some(&other.label));
         [
-            three_digits(rung.cpu.median / unit.seconds),
-            three_digits(rung.wall.median / unit.seconds),
-            brief(change.largest),
-            brief(100.0 * change.pixels),
+            three_digits(step.cpu.median / unit.seconds),
+            three_digits(step.wall.median / unit.seconds),
+            brief(deviation.change.largest),
+            brief(100.0 * deviation.change.pixels),
             rmse,
-            format!("{flip:.4}"),
-            self.better(rung),
+            format!("{:.4}", deviation.flip),
+            better.map_or("none".to_owned(), |(_, name)| name),
         ]
     }
-
-    /// The name in the table of the rung that is better than this one.
-    fn better(&self, rung: &Measured) -> String {
-        let mut others = self.rungs.iter().zip(chart::names());
-        let better = others.find(|(other, _)| rung.dominated_by.as_ref() == Some(&other.label));
-        better.map_or("none".to_owned(), |(_, name)| name)
-    }
 }
 
-/// A row of the table.
-struct Row {
-    name: String,
-    label: String,
-    cells: [String; COLUMNS],
-}
-
-impl Row {
-    fn head(label: &str, cells: [&str; COLUMNS]) -> Self {
-        Self {
-            name: String::new(),
-            label: label.to_owned(),
-            cells: cells.map(str::to_owned),
-        }
-    }
-
-    /// The row's lines, with columns of these widths.
-    fn lines(&self, name: usize, label: usize, cells: [usize; COLUMNS]) -> Vec<String> {
-        let mut lines = vec![format!("{:<name$}", self.name)];
-        let width = |text: &str| text.chars().count();
-        for word in self.label.split(' ') {
-            match lines.last_mut() {
-                Some(line) if width(line) + 1 + width(word) <= WIDTH => {
-                    line.push(' ');
-                    line.push_str(word);
-                }
-                _ => lines.push(format!("{:name$} {word}", "")),
-            }
-        }
-        if width(&self.label) > label {
-            lines.push(String::new());
-        }
-        if let Some(last) = lines.last_mut() {
-            *last = format!("{last:<wide$}", wide = name + 1 + label);
-            let [numbers @ .., better] = &self.cells;
-            for (number, wide) in numbers.iter().zip(cells) {
-                // Writing to a String cannot fail.
-                let _ = write!(last, "  {number:>wide$}");
-            }
-            let _ = write!(last, "  {better}");
-        }
-        lines
-    }
-}
-
-/// A number to three digits, and two behind the point at most.
+/// A number to three digits, with two behind the point at most.
 fn brief(number: f64) -> String {
     match number {
         0.0 => "0".to_owned(),

@@ -1,171 +1,159 @@
-//! The cost of accuracy in sentences.
+//! Results in sentences.
 
-use super::{Best, Blame, Cost, Law, Measured, SurfaceShare, Trade};
-use crate::measure::clock::in_words;
+use super::attribution::Breakdown;
+use super::choice::Best;
+use super::law::{Law, Trade};
+use super::measurement::Measurement;
+use super::run::Cost;
+use crate::measure::text::{duration, percent};
+
+/// Title of the relations of error and time.
+const ERROR_AND_TIME: &str = "Error and time of each setting; \
+    own error: RMSE against the picture with only that setting at its best";
+
+/// Title of the places of errors.
+const PLACES: &str = "Places of the errors of each setting at its worst; \
+    shares of the squared error (and of the pixels)";
 
 impl Cost {
-    /// What the table comes to, a sentence a line.
-    #[must_use]
-    pub fn words(&self) -> String {
-        let mut lines = vec![self.reference_words(), String::new()];
-        lines.push(self.recommended.words("recommended"));
-        lines.extend(self.laws.iter().map(|law| law.words(&self.rungs)));
-        lines.extend(self.met_words());
-        lines.extend(self.blames.iter().map(Blame::words));
-        lines.join("\n") + "\n"
+    /// Titles and lines about each setting; sections without lines are left out.
+    pub(super) fn sections(&self) -> impl Iterator<Item = (&'static str, Vec<String>)> {
+        let laws = self.laws.iter().map(|law| law.words(&self.steps));
+        let laws = laws.chain(self.max_error_words()).collect();
+        let places = self.breakdowns.iter().map(Breakdown::words).collect();
+        let sections: [(_, Vec<_>); 2] = [(ERROR_AND_TIME, laws), (PLACES, places)];
+        sections.into_iter().filter(|(_, lines)| !lines.is_empty())
     }
 
-    /// What the pictures were compared with.
+    /// Results beside the table in sentences, one a line.
     #[must_use]
-    pub fn reference_words(&self) -> String {
+    pub fn words(&self) -> String {
+        let mut text = String::new();
+        for (title, lines) in self.sections() {
+            text += &format!("{title}\n{}\n\n", lines.join("\n"));
+        }
+        text + &self.recommended.words("recommended") + "\n"
+    }
+
+    /// Origin of the reference, and its own error.
+    pub(super) fn reference_words(&self) -> String {
         let about = &self.reference.about;
-        match self.reference.doubt {
-            None => format!("Reference: {about}; nobody knows how far it is off itself."),
-            Some(doubt) => format!(
-                "Reference: {about}; off itself by an RMSE of about {:.6}, and by {:.2} code \
-                 values where its halves differ most. Rungs whose RMSE differ by no more are equally \
-                 accurate.",
-                doubt.rmse, doubt.largest
+        match self.reference.uncertainty {
+            None => format!("Reference: {about}; its own error is unknown."),
+            Some(own) => format!(
+                "Reference: {about}. Its own error is estimated as half the difference of its \
+                 halves: RMSE {:.6}, at most {:.2} code values. Settings whose RMSE differ by less \
+                 count as equally accurate.",
+                own.rmse, own.largest
             ),
         }
     }
 
-    /// How often each `max-error` was met, if there is one: of the dial's steps, or else of all rungs.
+    /// Share of the pixels that keep each `max-error`, if there is one: of the steps of that setting,
+    /// else of all steps.
     #[must_use]
-    pub fn met_words(&self) -> Option<String> {
-        let of_rung = |rung: &Measured, step: &str| {
-            let share = 100.0 * rung.met?;
-            Some(format!("{share:.2} % ({step})"))
+    pub fn max_error_words(&self) -> Option<String> {
+        let shares = |name: &dyn Fn(&Measurement) -> Option<String>| -> Vec<_> {
+            let named = |step: &Measurement| Some((100.0 * step.within_max_error?, name(step)?));
+            let steps = self.steps.iter().filter_map(named);
+            steps
+                .map(|(share, name)| format!("{share:.2} % ({name})"))
+                .collect()
         };
-        let rungs = self.rungs.iter();
-        let steps = rungs.filter_map(|rung| of_rung(rung, &rung.own("max-error")?.step));
-        let mut met: Vec<_> = steps.collect();
-        if met.is_empty() {
-            let rungs = self.rungs.iter();
-            met = rungs
-                .filter_map(|rung| of_rung(rung, &rung.label))
-                .collect();
+        let mut kept = shares(&|step| Some(step.own("max-error")?.text.clone()));
+        if kept.is_empty() {
+            kept = shares(&|step| Some(step.label.clone()));
         }
-        (!met.is_empty()).then(|| format!("max-error: met in {} of the pixels", met.join(", ")))
+        let kept = (!kept.is_empty()).then(|| kept.join(", "))?;
+        Some(format!("max-error: kept in {kept} of the pixels"))
     }
 
-    /// How the times were taken.
+    /// Number of runs and threads, and how far times deviate.
     #[must_use]
     pub fn runs_words(&self) -> String {
         let threads = match self.threads {
             1 => "1 thread".to_owned(),
             threads => format!("{threads} threads"),
         };
-        let runs = || self.rungs.iter().map(|rung| rung.runs);
+        let runs = || self.steps.iter().map(|step| step.runs);
         let runs = match (runs().min().unwrap_or(1), runs().max().unwrap_or(1)) {
             (_, 1) => return format!("one run on {threads}"),
             (least, most) if least < most => format!("{least} to {most}"),
             (_, most) => most.to_string(),
         };
-        let times = self.rungs.iter().map(|rung| rung.cpu);
+        let times = self.steps.iter().map(|step| step.cpu);
         let far = times.filter_map(|time| Some(time.deviation? / time.median));
-        let far = far.fold(0.0, f64::max);
-        format!(
-            "medians of {runs} runs on {threads}, deviations up to {}",
-            percent(far)
-        )
+        let far = percent(far.fold(0.0, f64::max));
+        format!("medians of {runs} runs on {threads}, deviations up to {far}")
     }
 }
 
 impl Best {
-    /// The rung and why, after a word for it.
+    /// The choice after a title, with its reason.
     #[must_use]
     pub fn words(&self, title: &str) -> String {
         format!("{title}: {}; {}", self.title(), self.why)
     }
 
-    /// The rung's label, or that there is none.
+    /// The label of the step, or `none`.
     pub(super) fn title(&self) -> &str {
         self.label.as_deref().unwrap_or("none")
     }
 }
 
 impl Law {
-    /// The law as a sentence.
-    #[must_use]
-    pub fn words(&self, rungs: &[Measured]) -> String {
-        let dial = self.dial;
+    /// Relation of error and time after the name of the setting.
+    fn words(&self, steps: &[Measurement]) -> String {
+        let setting = self.setting;
         match self.trade {
             Trade::Power {
                 of_time,
                 of_value,
                 halving,
             } => format!(
-                "{dial}: half the error takes {halving:.2} times as long; error goes with time to \
-                 the power of {of_time:.2}, and with {dial} to that of {of_value:.2}"
+                "{setting}: half the error takes {halving:.2} × the time; \
+                 error ∝ time^{of_time:.2} ∝ {setting}^{of_value:.2}"
             ),
             Trade::Free => {
-                let best = rungs.iter().find(|rung| rung.label == self.most_accurate);
-                let step = best.and_then(|rung| rung.own(dial));
-                let step = step.map_or("", |own| &own.step);
+                let best = steps.iter().find(|step| step.label == self.most_accurate);
+                let best = best.and_then(|step| step.own(setting));
+                let text = best.map_or("", |own| &own.text);
                 format!(
-                    "{dial}: as far as can be told its steps buy no accuracy for time; the most \
-                     accurate is {step}"
+                    "{setting}: no measurable trade of time for accuracy; most accurate: {text}"
                 )
             }
             Trade::Words => {
-                let steps = rungs.iter().filter_map(|rung| {
-                    let own = rung.own(dial)?;
+                let values = steps.iter().filter_map(|step| {
+                    let own = step.own(setting)?;
                     let error = match own.rmse {
-                        tiny if tiny > 0.0 && tiny < 1e-4 => format!("{tiny:.1e}"),
+                        0.0 => "0".to_owned(),
+                        tiny if tiny < 1e-4 => format!("{tiny:.1e}"),
                         error => format!("{error:.6}"),
                     };
-                    let time = in_words(rung.cpu.median);
-                    Some(format!("{} errs by {error} in {time}", own.step))
+                    let time = duration(step.cpu.median);
+                    Some(format!("{error} in {time} ({})", own.text))
                 });
-                let steps: Vec<_> = steps.collect();
-                format!("{dial}: by itself {}", steps.join(", "))
+                let values: Vec<_> = values.collect();
+                format!("{setting}: own error {}", values.join(", "))
             }
         }
     }
 }
 
-impl Blame {
-    /// What the dial is turned to where it errs, such as `samples=1`.
-    pub(super) fn setting(&self) -> String {
-        format!("{}={}", self.dial, self.step)
-    }
-
-    /// Where the dial errs as a sentence.
-    #[must_use]
-    pub fn words(&self) -> String {
-        let mut text = format!("{} errs most", self.setting());
-        let spots = self
-            .spots
-            .iter()
-            .filter(|share| share.error >= 0.01)
-            .take(3);
-        for (number, share) in spots.enumerate() {
-            let comma = if number == 0 { " " } else { ", " };
+impl Breakdown {
+    /// Places of the error after the setting and its value.
+    fn words(&self) -> String {
+        let shares = self.features.iter().filter(|share| share.error >= 0.01);
+        let shares = shares.take(3).map(|share| {
             let [error, pixels] = [share.error, share.pixels].map(percent);
-            let spot = share.spot;
-            let of = if number == 0 {
-                " of its squared error"
-            } else {
-                ""
-            };
-            let all = if number == 0 { " of all pixels" } else { "" };
-            text += &format!("{comma}{} ({error}{of} in {pixels}{all})", spot.words());
-        }
-        if let Some(SurfaceShare { title, error }) = &self.surface {
-            text += &format!("; {} on {title}", percent(*error));
+            format!("{error} {} ({pixels})", share.feature.words())
+        });
+        let mut parts = vec![shares.collect::<Vec<_>>().join(", ")];
+        if let Some(surface) = &self.surface {
+            parts.push(format!("{} on {}", percent(surface.error), surface.title));
         }
         let [column, row] = self.worst;
-        text + &format!("; worst at pixel {column},{row}")
-    }
-}
-
-/// A share of all as percents.
-pub(super) fn percent(share: f64) -> String {
-    match 100.0 * share {
-        0.0 => "0 %".to_owned(),
-        tiny if tiny < 0.01 => "< 0.01 %".to_owned(),
-        some if some < 10.0 => format!("{some:.2} %"),
-        some => format!("{some:.1} %"),
+        parts.push(format!("worst pixel {column},{row}"));
+        format!("{}={}: {}", self.setting, self.text, parts.join("; "))
     }
 }

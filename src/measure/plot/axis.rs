@@ -2,16 +2,16 @@
 
 /// A logarithmic axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::measure) struct Axis {
-    /// Its lower end; above zero, or zero if there is nothing to show but zeros.
-    pub(in crate::measure) least: f64,
-    /// Its upper end; above the lower one, or zero too.
-    pub(in crate::measure) most: f64,
+pub(super) struct Axis {
+    /// Lower end; above zero, or zero if only zeros are shown.
+    pub(super) least: f64,
+    /// Upper end; above the lower one, or zero too.
+    pub(super) most: f64,
 }
 
 impl Axis {
-    /// An axis around these numbers, as far as they are above zero; of none that is, only a zero.
-    pub(in crate::measure) fn around(numbers: impl Iterator<Item = f64>) -> Self {
+    /// An axis around the numbers above zero; only a zero if there are none.
+    pub(super) fn around(numbers: impl Iterator<Item = f64>) -> Self {
         let positive = numbers.filter(|number| *number > 0.0);
         let (least, most) = positive.fold((f64::INFINITY, 0.0_f64), |(least, most), number| {
             (least.min(number), most.max(number))
@@ -28,13 +28,13 @@ impl Axis {
         }
     }
 
-    /// Whether there is nothing on it but zero.
-    pub(in crate::measure) fn is_zero(self) -> bool {
+    /// True if only zero is on it.
+    pub(super) fn is_zero(self) -> bool {
         self.most == 0.0
     }
 
-    /// Where a number is, from 0 to 1; what is too small is at the lower end.
-    pub(in crate::measure) fn share(self, number: f64) -> f64 {
+    /// Place of a number from 0 to 1; smaller numbers are at the lower end.
+    pub(super) fn share(self, number: f64) -> f64 {
         if self.is_zero() {
             return 0.0;
         }
@@ -43,8 +43,8 @@ impl Axis {
         ((number - least) / (most - least)).clamp(0.0, 1.0)
     }
 
-    /// Round numbers on it: 1, 2 and 5 times powers of ten; the powers alone if there are enough of
-    /// them, and of a very long axis every third or sixth.
+    /// Round numbers on it: 1, 2 and 5 times powers of ten; on longer axes powers alone, then every
+    /// third or sixth of them.
     pub(super) fn marks(self) -> Vec<f64> {
         if self.is_zero() {
             return vec![0.0];

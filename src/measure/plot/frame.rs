@@ -1,29 +1,27 @@
-//! The axes of a drawing.
+//! Grid of a plot and the numbers on its axes.
 
 use super::axis::Axis;
-use super::svg::Svg;
+use super::svg::{Place, Svg};
 
-/// A part of a drawing with two axes.
+/// Part of a drawing with two axes.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::measure) struct Frame {
-    /// Where its left and right sides are.
-    pub(in crate::measure) across: [f64; 2],
-    /// Where its top and bottom are.
-    pub(in crate::measure) down: [f64; 2],
-    /// The base line of the numbers below it.
-    pub(in crate::measure) foot: f64,
-    /// What goes from left to right.
-    pub(in crate::measure) x: Axis,
-    /// What goes from the bottom to the top.
-    pub(in crate::measure) y: Axis,
+pub(super) struct Frame {
+    /// Left and right sides.
+    pub(super) across: [f64; 2],
+    /// Top and bottom.
+    pub(super) down: [f64; 2],
+    /// Base line of the numbers below it.
+    pub(super) foot: f64,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
 }
 
-/// How a number is written.
-pub(in crate::measure) type Write = fn(f64) -> String;
+/// Formats a number of an axis.
+pub(super) type Write = fn(f64) -> String;
 
 impl Frame {
-    /// Where two numbers are in the drawing.
-    pub(in crate::measure) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    /// Place of a pair of numbers in the drawing.
+    pub(super) fn place(&self, [x, y]: [f64; 2]) -> Place {
         let [[left, right], [top, bottom]] = [self.across, self.down];
         [
             left + (right - left) * self.x.share(x),
@@ -31,9 +29,9 @@ impl Frame {
         ]
     }
 
-    /// Draws a line and a number at each mark of both axes, those of the vertical one only if asked for.
-    pub(in crate::measure) fn draw(&self, svg: &mut Svg, x: Write, y: Option<Write>) {
-        /// How wide a letter is, and the least room between two numbers; what has less is left out.
+    /// Draws a grid line and a number at each mark; numbers of the vertical axis only if asked for.
+    pub(super) fn draw(&self, svg: &mut Svg, x: Write, y: Option<Write>) {
+        /// Width of a character, and least room between two numbers; others are left out.
         const LETTER: f64 = 6.8;
         const GAP: f64 = 8.0;
         let [[left, right], [top, bottom]] = [self.across, self.down];
@@ -59,8 +57,8 @@ impl Frame {
     }
 }
 
-/// A number as short as it can be; a very small or large one to one digit.
-pub(in crate::measure) fn number(number: f64) -> String {
+/// A number as short as possible; a very small or large one to one digit.
+pub(super) fn number(number: f64) -> String {
     let rounded = (1e6 * number).round() / 1e6;
     if number == 0.0 || (0.001..100_000.0).contains(&number) {
         rounded.to_string()
@@ -69,8 +67,8 @@ pub(in crate::measure) fn number(number: f64) -> String {
     }
 }
 
-/// A time in seconds or thousandths of that.
-pub(in crate::measure) fn seconds(seconds: f64) -> String {
+/// A time in seconds or milliseconds.
+pub(super) fn seconds(seconds: f64) -> String {
     if seconds < 1.0 {
         format!("{} ms", number(1000.0 * seconds))
     } else {

@@ -1,89 +1,96 @@
-//! Labels that hide neither dots nor each other.
+//! Places for labels that cover neither dots nor each other.
 
-/// The width of a letter and the height of a line of a label.
-const LETTER: [f64; 2] = [7.3, 12.0];
+use glam::DVec2;
 
-/// From the middle of a dot to the nearest side of its label.
+use super::svg::Place;
+
+/// Width of a letter and height of a label.
+const LETTER: DVec2 = DVec2::new(7.3, 12.0);
+
+/// Distance of a label from the middle of its dot.
 const GAP: f64 = 8.0;
 
-/// Between labels side by side, so that they are not read as one.
+/// Room between labels side by side, so that they are not read as one.
 const SPACE: f64 = 5.0;
 
-/// Finds room for labels.
+/// Areas of a drawing that are taken.
 #[derive(Debug)]
-pub(in crate::measure) struct Labels {
-    /// What they have to stay in.
+pub(super) struct Labels {
     bounds: Area,
-    /// What dots and labels cover already.
     taken: Vec<Area>,
 }
 
-/// A rectangle: its lower and upper ends along both axes.
+/// A rectangle: its middle and half of its sides.
 #[derive(Debug, Clone, Copy)]
-struct Area([[f64; 2]; 2]);
+struct Area {
+    middle: DVec2,
+    half: DVec2,
+}
+
+impl Area {
+    fn overlaps(self, other: Self) -> bool {
+        let apart = (self.middle - other.middle).abs();
+        apart.cmplt(self.half + other.half).all()
+    }
+
+    fn is_in(self, other: Self) -> bool {
+        let apart = (self.middle - other.middle).abs();
+        (apart + self.half).cmple(other.half).all()
+    }
+}
 
 impl Labels {
-    /// Labels in a part of a drawing, given by two corners.
-    pub(in crate::measure) fn within(low: [f64; 2], high: [f64; 2]) -> Self {
+    /// Labels within a rectangle with these corners.
+    pub(super) fn within(low: Place, high: Place) -> Self {
+        let [low, high] = [low, high].map(DVec2::from);
         Self {
-            bounds: Area([[low[0], high[0]], [low[1], high[1]]]),
+            bounds: Area {
+                middle: (low + high) / 2.0,
+                half: (high - low) / 2.0,
+            },
             taken: Vec::new(),
         }
     }
 
-    /// Keeps them off what reaches so far from a place.
-    pub(in crate::measure) fn avoid(&mut self, place: [f64; 2], reach: [f64; 2]) {
-        self.taken.push(Area::around(place, reach));
+    /// Keeps labels off a rectangle around a place, with these half sides.
+    pub(super) fn avoid(&mut self, place: Place, half: Place) {
+        let [middle, half] = [place, half].map(DVec2::from);
+        self.taken.push(Area { middle, half });
     }
 
-    /// The middle of the base line of a label for a dot, as close to it as there is room; `None` if
-    /// there is none.
-    pub(in crate::measure) fn beside(&mut self, [x, y]: [f64; 2], text: &str) -> Option<[f64; 2]> {
+    /// Middle of the base line of a label close to a dot; `None` if there is no room.
+    pub(super) fn beside(&mut self, dot: Place, text: &str) -> Option<Place> {
         #[expect(clippy::cast_precision_loss, reason = "a few letters")]
-        let half = [
-            LETTER[0] * text.chars().count() as f64 / 2.0,
-            LETTER[1] / 2.0,
-        ];
-        let [across, up] = [half[0] + GAP, half[1] + GAP - 2.0];
+        let half = LETTER * DVec2::new(text.chars().count() as f64, 1.0) / 2.0;
+        let next = half + GAP - DVec2::new(0.0, 2.0);
+        // Above, right, left, below, and the four corners.
         let around = [
-            [0.0, -up],
-            [across, 0.0],
-            [-across, 0.0],
-            [0.0, up],
-            [half[0], -up],
-            [-half[0], -up],
-            [half[0], up],
-            [-half[0], up],
+            [0.0, -next.y],
+            [next.x, 0.0],
+            [-next.x, 0.0],
+            [0.0, next.y],
+            [half.x, -next.y],
+            [-half.x, -next.y],
+            [half.x, next.y],
+            [-half.x, next.y],
         ];
-        let mut areas = around.map(|[dx, dy]| [x + dx, y + dy]).into_iter();
-        let middle = areas.find(|middle| {
-            let area = Area::around(*middle, half);
+        let mut middles = around
+            .into_iter()
+            .map(|way| DVec2::from(dot) + DVec2::from(way));
+        let middle = middles.find(|middle| {
+            let area = Area {
+                middle: *middle,
+                half,
+            };
             area.is_in(self.bounds) && !self.taken.iter().any(|other| area.overlaps(*other))
         })?;
-        let apart = [half[0] + SPACE, half[1]];
-        self.taken.push(Area::around(middle, apart));
-        Some([middle[0], middle[1] + 4.0])
+        self.avoid(middle.into(), [half.x + SPACE, half.y]);
+        Some([middle.x, middle.y + 4.0])
     }
 }
 
-impl Area {
-    fn around([x, y]: [f64; 2], [across, up]: [f64; 2]) -> Self {
-        Self([[x - across, x + across], [y - up, y + up]])
-    }
-
-    fn overlaps(self, other: Self) -> bool {
-        let mut axes = self.0.into_iter().zip(other.0);
-        axes.all(|([low, high], [other_low, other_high])| low < other_high && other_low < high)
-    }
-
-    fn is_in(self, other: Self) -> bool {
-        let mut axes = self.0.into_iter().zip(other.0);
-        axes.all(|([low, high], [other_low, other_high])| low >= other_low && high <= other_high)
-    }
-}
-
-/// Moves places on an axis apart until they are this far from each other, none further than it has to
-/// be, and all in a range if they fit.
+/// Moves places on an axis until they are `apart` from each other, as little as possible, and within
+/// a range if they fit.
 pub(super) fn spread(places: &mut [f64], apart: f64, [low, high]: [f64; 2]) {
     let mut order: Vec<_> = (0..places.len()).collect();
     order.sort_by(|one, other| places[*one].total_cmp(&places[*other]));

@@ -1,20 +1,26 @@
-//! Drawings of numbers, for light and dark pages.
+//! Plots on logarithmic axes, as SVG for light and dark pages and as characters.
+//!
+//! [`Figure`] draws curves in panels, [`Scatter`] named dots. Both know nothing of what they show.
 
 mod axis;
-mod curves;
+mod characters;
+mod figure;
 mod frame;
 mod labels;
+mod scatter;
 mod svg;
 
-pub use curves::{Curve, Figure, Panel, Scale};
+pub use figure::{Curve, Figure, Panel, Scale};
 
-pub(super) use axis::Axis;
-pub(super) use frame::{Frame, number, seconds};
-pub(super) use labels::Labels;
-pub(super) use svg::{Svg, escaped};
+pub(super) use characters::names;
+pub(super) use scatter::{Dot, Scatter};
+pub(super) use svg::escaped;
 
-/// The colours and lines of a drawing.
+/// Style sheet of a plot.
 pub(super) const STYLE: &str = include_str!("plot.css");
 
-/// How many hues there are.
-pub(super) const HUES: usize = 8;
+/// Class that gives an element a hue; any number has one, and `None` is the colour of text.
+pub(super) fn color_class(hue: Option<usize>) -> String {
+    const HUES: usize = 8;
+    hue.map_or("plain".to_owned(), |hue| format!("hue-{}", hue % HUES))
+}

@@ -6,9 +6,7 @@ use crate::language::{Range, Takes};
 use crate::light::{Cone, Light, Slide};
 use crate::material::Material;
 use crate::scene::RenderSettings;
-use crate::surface::{
-    Ellipsoid, FinitePlane, Plane, ProceduralPlane, Sphere, TexturePlane, TiledPlane, Triangle,
-};
+use crate::surface::{Plain, ProceduralPlane, Textured, TiledPlane};
 use crate::texture::Texture;
 
 /// The entities that are understood.
@@ -23,10 +21,10 @@ pub(super) const ENTITIES: &[Entity] = &[
         &[LIGHT, PLANE, XDIR, SIZE, IMAGE],
     ),
     Entity::new("texture", &Texture::SCHEMA, &[FILE]),
-    Entity::new("plane", &Plane::SCHEMA, &[SURFACE, PLANE]),
+    Entity::new("plane", &Plain::PLANE, &[SURFACE, PLANE]),
     Entity::new(
         "fplane",
-        &FinitePlane::SCHEMA,
+        &Plain::FINITE_PLANE,
         &[SURFACE, PLANE, XDIR, SIZE],
     ),
     Entity::new(
@@ -36,20 +34,19 @@ pub(super) const ENTITIES: &[Entity] = &[
     ),
     Entity::new(
         "texplane",
-        &TexturePlane::SCHEMA,
+        &Textured::PLANE,
         &[SURFACE, PLANE, XDIR, SIZE, IMAGE],
     ),
-    Entity::new("sphere", &Ellipsoid::SCHEMA, &[SURFACE, ROUND]).without("scale", &Sphere::SCHEMA),
-    Entity::new("ellipsoid", &Ellipsoid::SCHEMA, &[SURFACE, ROUND])
-        .without("scale", &Sphere::SCHEMA),
-    Entity::new("triangle", &Triangle::SCHEMA, &[SURFACE, CORNERS]),
-    Entity::new("tri", &Triangle::SCHEMA, &[SURFACE, CORNERS]),
+    Entity::new("sphere", &Plain::ELLIPSOID, &[SURFACE, ROUND]).without("scale", &Plain::SPHERE),
+    Entity::new("ellipsoid", &Plain::ELLIPSOID, &[SURFACE, ROUND]).without("scale", &Plain::SPHERE),
+    Entity::new("triangle", &Plain::TRIANGLE, &[SURFACE, CORNERS]),
+    Entity::new("tri", &Plain::TRIANGLE, &[SURFACE, CORNERS]),
     Entity::new(
         "pplane",
         &ProceduralPlane::SCHEMA,
         &[SURFACE, PLANE, SHADER],
     )
-    .without("shader", &Plane::SCHEMA),
+    .without("shader", &Plain::PLANE),
 ];
 
 /// The entities that are known but not drawn, and what comes near to them.
