@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Camera, PixelSpan};
-use crate::math::UNIT;
+use crate::math::error_bounds::IMAGE;
 
 /// A part of a picture, in pixels from the centre of the lower-left one: nothing outside of it can
 /// show what it was made for.
@@ -73,7 +73,7 @@ impl Camera {
             let depth = way.dot(normal) / unit_depth;
             // What rounding the point and the eye can do to the image.
             let size = (point.abs() + self.viewpoint.abs()).element_sum() + way.length();
-            let blur = (64.0 * UNIT * size + astray) * self.stretch() / depth.abs();
+            let blur = (IMAGE * size + astray) * self.stretch() / depth.abs();
             if blur.is_nan() || blur > 0.25 {
                 return Some(RasterRect::EVERYWHERE);
             }

@@ -77,7 +77,7 @@ macro_rules! variants {
 variants!(Plane, Rectangle, Triangle, Sphere, Ellipsoid);
 
 impl Shape {
-    /// The same shape, whose inside rays can hit if `is_entered`; only round shapes have an inside.
+    /// The same shape; rays can hit its inside if `is_entered` and it is round.
     #[must_use]
     pub fn entered(self, is_entered: bool) -> Self {
         match self {
@@ -95,7 +95,7 @@ impl Shape {
 
     /// The nearest hit of a ray in a span of distances.
     ///
-    /// A ray that leaves a plane must not be tested against it again: a line meets a plane once.
+    /// A ray that leaves a plane must not be tested against it again: a line crosses a plane once.
     #[must_use]
     #[inline(always)]
     pub fn intersect(&self, ray: &Ray, span: Span) -> Option<Hit> {
@@ -124,19 +124,19 @@ impl Shape {
         each!(self, shape => shape.occludes(segment, end))
     }
 
-    /// The side of the shape that a point is on, exactly; inside of a round shape is its back.
+    /// The exact side of a point; inside of a round shape is its back.
     #[must_use]
     pub fn side(&self, point: &Point) -> Side {
         each!(self, shape => shape.side(point))
     }
 
-    /// The exact distance at which a ray meets the shape; of use only where the ray hits it.
+    /// The exact distance of a ray's hit; meaningless if the ray misses.
     #[must_use]
     pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         each!(self, shape => shape.exact_distance(ray))
     }
 
-    /// An error bound of a hit's distance that depends only on the way between both ends.
+    /// An error bound of a hit's distance, from the vector between both ends.
     ///
     /// The hit's own bound is cheaper, and grows with the coordinates of both ends.
     #[must_use]
@@ -144,7 +144,7 @@ impl Shape {
         each!(self, shape => hit.error.min(shape.distance_error(ray, hit)))
     }
 
-    /// The point that the scene gives for it: a point of the plane, a corner, or the centre.
+    /// The point given in the scene: a point of the plane, a corner, or the centre.
     #[must_use]
     pub fn anchor(&self) -> DVec3 {
         match self {
@@ -156,7 +156,7 @@ impl Shape {
         }
     }
 
-    /// The shape as one that lies in a plane; `None` for a round one.
+    /// The shape as a planar one; `None` for a round one.
     #[must_use]
     pub fn planar(&self) -> Option<&dyn Planar> {
         match self {
@@ -167,7 +167,7 @@ impl Shape {
         }
     }
 
-    /// The same, to be changed.
+    /// The shape as a planar one, mutable.
     fn planar_mut(&mut self) -> Option<&mut dyn Planar> {
         match self {
             Self::Plane(plane) => Some(plane),
@@ -193,7 +193,7 @@ impl Shape {
         self.planar().map(Planar::carrier)
     }
 
-    /// The corners of a flat shape, in order around it; empty if it is unbounded or round.
+    /// The corners of a flat shape, in order; empty if it is unbounded or round.
     #[must_use]
     pub fn outline(&self) -> Vec<DVec3> {
         self.planar().map(Planar::outline).unwrap_or_default()
@@ -232,12 +232,11 @@ impl Shape {
     }
 
     /// A bound of the error of a hit point, per unit of error in the hit's distance.
-    ///
-    /// A point of a round shape is pushed back towards the centre, and so slides along the surface by
-    /// 1 / cos of the angle between the normal and the direction from the centre: for half axes `a ≥ b`
-    /// by at most `(a/b + b/a) / 2`.
     #[must_use]
     pub fn point_error(&self) -> f64 {
+        // A point of a round shape is pushed back towards the centre. It slides along the surface
+        // by 1 / cos of the angle between the normal and the direction from the centre: for half
+        // axes a ≥ b by at most (a/b + b/a) / 2.
         self.round().map_or(FLAT_SLIP, |[_, axes]| {
             let ratio = axes.max_element() / axes.min_element();
             ROUND_SLIP * 0.5 * (ratio + ratio.recip())

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::Rectangle;
 use crate::light::Cone;
-use crate::math::error_bounds::{APART, UNIT};
+use crate::math::error_bounds::{APART, BEAM_NORMAL};
 use crate::math::{Ball, Bounds, Point, is_clear};
 
 /// Returns whether a cone of light certainly misses a box.
@@ -50,6 +50,6 @@ fn normal(light: DVec3, from: DVec3, to: DVec3) -> Option<DVec3> {
         .map(|it| Point::exact(it).size())
         .iter()
         .sum();
-    let bound = 64.0 * UNIT * size * (to_start.length() + to_end.length());
+    let bound = BEAM_NORMAL * size * (to_start.length() + to_end.length());
     (bound < APART / 16.0 * length).then(|| normal / length)
 }

@@ -1,6 +1,6 @@
 //! Scattering of rays at surfaces, and the growth of their errors.
 
-use crate::math::error_bounds::UNIT;
+use crate::math::error_bounds::{INCIDENCE, REFLECTION, refraction};
 
 /// The type of scattering of a ray at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,10 +32,8 @@ impl Scattering {
 
 /// The direction error behind a mirror whose normal is off by `tilt`.
 fn mirrored(direction: f64, tilt: f64) -> f64 {
-    // An error of the normal counts twice. The doubled product with the normal is off by 6 u, the
-    // subtraction adds 3 u, and the normalization 5 u.
-    const MIRRORING: f64 = 16.0 * UNIT;
-    direction + 2.0 * tilt + MIRRORING
+    // An error of the normal counts twice.
+    direction + 2.0 * tilt + REFLECTION
 }
 
 /// The lateral error and the direction error of a refracted ray.
@@ -52,7 +50,7 @@ fn refracted([lateral, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64)
     // Toward the critical angle cos β goes to zero, and these factors grow without bound. So they
     // are evaluated for the largest possible α. If that one is reflected totally, there is no
     // bound.
-    let angle = direction + tilt + 16.0 * UNIT;
+    let angle = direction + tilt + INCIDENCE;
     let sine = (1.0 - cosine * cosine).sqrt();
     let most = ratio * (sine + angle);
     if most.is_nan() || most >= 1.0 {
@@ -66,9 +64,7 @@ fn refracted([lateral, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64)
     } else {
         1.0 - ratio * (cosine - angle) / cosine_at_least
     };
-    // Rounding puts cos α off by 5 u, and μ² sin² α by (10 μ² + 5) u. The root cos β is off by half
-    // of that plus u, divided by cos β, and the unit direction by (10 μ + 12) u more.
-    let rounding = ((5.0 * ratio * ratio + 3.0) / cosine_at_most + 10.0 * ratio + 12.0) * UNIT;
+    let rounding = refraction(ratio, cosine_at_most);
     let direction = direction * ratio.max(in_plane) + tilt * of_tilt + rounding;
     // A hit that moves along the surface by 1 / cos α moves the ray behind it by cos β / cos α.
     let widening = (cosine_at_least / cosine).max(1.0);

@@ -1,4 +1,4 @@
-//! What every surface has.
+//! The properties of every surface.
 
 use std::sync::Arc;
 
@@ -11,20 +11,20 @@ use crate::math::Rgb;
 pub struct Common {
     /// Its name, if the scene gives one.
     pub name: Option<String>,
-    /// How it answers light.
+    /// The material.
     pub material: Arc<Material>,
     /// Its part in shadows.
     pub shadows: Shadows,
-    /// Where it stands in the scene file, if it was read from one.
+    /// The position in the scene file, if it was read from one.
     pub location: Option<Location>,
 }
 
 /// A surface's part in shadows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shadows {
-    /// Whether other surfaces can put it into shadow: the chapter's `light_visible` test.
+    /// True if other surfaces can shadow it: the chapter's `light_visible` test.
     pub receive: bool,
-    /// Whether it can put other surfaces into shadow.
+    /// True if it can shadow other surfaces.
     pub cast: bool,
 }
 
@@ -55,7 +55,7 @@ impl Common {
             ]),
     ];
 
-    /// What a surface has that answers no light: a material without colour.
+    /// The properties of a surface that reflects no light: a black material.
     #[must_use]
     pub fn black(name: Option<String>, location: Option<Location>) -> Self {
         let material = Material {
@@ -85,13 +85,13 @@ impl Common {
         }
     }
 
-    /// The share of light that passes straight through where the image has this colour.
+    /// The share of light that passes straight through where the texel has this colour.
     #[must_use]
     pub fn transmits(&self, texel: Rgb) -> Rgb {
         self.material.filter() * self.material.transparency * texel
     }
 
-    /// Completes a surface's node.
+    /// Adds the common properties to a surface's node.
     #[must_use]
     pub fn describe(&self, mut node: Node) -> Node {
         node.name.clone_from(&self.name);

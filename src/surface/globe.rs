@@ -1,7 +1,7 @@
 //! Images wrapped around round shapes.
 //!
-//! Longitude 0 is the image's middle column and faces +z; it grows towards +x. At the poles, where
-//! every longitude would do, it is 0.
+//! Longitude 0 is the image's middle column and faces +z; it grows towards +x. At the poles it is
+//! 0.
 
 use std::f64::consts::PI;
 

@@ -27,7 +27,7 @@ use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, Va
 use crate::math::exact::Sign;
 use crate::math::{Ray, Rgb};
 
-/// A rectangle or a ball that shines, and is seen to.
+/// A rectangle or a sphere that emits light and is visible.
 #[derive(Debug, Clone)]
 pub struct Lamp {
     common: Common,
@@ -37,7 +37,7 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    /// The most places of a lamp that are asked for its shadow; more the sequence does not have.
+    /// The largest number of sample points: the length of the sequence.
     const MOST_SAMPLES: u32 = 65_536;
 
     /// The `lamp` node of the scene language.
@@ -135,13 +135,13 @@ impl Lamp {
         self.emissivity
     }
 
-    /// The number of points of the lamp that shadow rays are sent to where its shadow may be soft.
+    /// The number of sample points for shadow rays where the shadow may be soft.
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// The colour that a ray sees where it hits the lamp; the back of a rectangle is black.
+    /// The colour that a ray sees on the lamp; the back of a rectangle is black.
     #[must_use]
     pub fn shows(&self, ray: &Ray) -> Rgb {
         let from_behind = self
@@ -156,7 +156,10 @@ impl Lamp {
     }
 }
 
-/// Returns whether a lamp is a rectangle and not a ball.
+/// Returns whether a lamp is a rectangle and not a sphere.
+///
+/// # Errors
+/// Returns an error if it is neither, both, or incomplete.
 fn is_rectangle(node: &Node) -> Result<bool, ValueError> {
     let given = |words: &[&'static str]| {
         let mut words = words.iter();

@@ -26,12 +26,12 @@ pub struct ProceduralPlane {
     shader: Shader,
 }
 
-/// A formula from a place to a colour.
+/// A formula from a point to a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shader {
-    /// Curved stripes that take red or blue away.
+    /// Curved stripes without red or without blue.
     Stripes,
-    /// The three channels as waves around the plane's point, a third of a turn apart.
+    /// The three channels as waves around the plane's point, 120° apart.
     ColorWheel,
 }
 

@@ -68,7 +68,7 @@ impl Textured {
 
     /// A rectangle with an image on it.
     ///
-    /// `texel_given` tells whether the scene gives the size of a texel or leaves it to the screen.
+    /// `texel_given` is true if the scene gives the size of a texel; otherwise the screen does.
     #[must_use]
     pub fn plane(
         common: Common,
@@ -118,7 +118,7 @@ impl Textured {
         }
     }
 
-    /// The exact texel, where the error bound of the offset reaches into another one.
+    /// The exact texel, if the error bound of the offset reaches more than one.
     #[cold]
     fn resolve_exactly(&self, rectangle: &Rectangle, hit: &Hit, bound: f64, ray: &Ray) -> Resolved {
         let exact = || rectangle.frame.exact_offset(&rectangle.flat, ray);

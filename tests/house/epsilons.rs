@@ -22,6 +22,9 @@ const ROOMS: [&str; 10] = [
     "scene",
 ];
 
+/// The file with all bounds.
+const BOUNDS: &str = "math/error_bounds.rs";
+
 /// Literals above this are lengths, shares and counts; below it they could be tolerances.
 const SMALLEST: f64 = 1e-3;
 
@@ -41,7 +44,7 @@ const SMALL_WORDS: [&str; 8] = [
 struct Allowed {
     file: &'static str,
     line: &'static str,
-    /// Why it is no epsilon.
+    /// Why it is not an epsilon.
     reason: &'static str,
 }
 
@@ -89,7 +92,7 @@ const ALLOWED: [Allowed; 9] = [
     Allowed {
         file: "scene/render_settings.rs",
         line: ".or(Default::Number(0.000_98)),",
-        reason: "the default of `cut-off`, a dial that the user turns",
+        reason: "the default of `cut-off`, a setting of the user",
     },
 ];
 
@@ -181,6 +184,62 @@ fn the_document_has_all_bounds() {
         );
     }
     assert!(count >= 5, "only {count} bounds were found");
+}
+
+/// Every multiple of the unit roundoff has a name in one file.
+#[test]
+fn all_bounds_stand_in_one_file() {
+    let root = repository("src");
+    let mut complaints = Vec::new();
+    for (path, source) in files::sources(root.clone()) {
+        let place = with_slashes(path.strip_prefix(&root).expect("a path in src"));
+        if place == BOUNDS {
+            continue;
+        }
+        let code = without_tests(&code_of(&source));
+        let multiples = code.lines().filter(|line| has_multiple_of_unit(line));
+        complaints.extend(multiples.map(|line| format!("src/{place}: {}", line.trim())));
+    }
+    assert!(
+        complaints.is_empty(),
+        "bounds outside of src/{BOUNDS}:\n{}",
+        complaints.join("\n")
+    );
+}
+
+#[test]
+fn the_scan_finds_multiples_of_the_unit_roundoff() {
+    for multiple in [
+        "const BOUND: f64 = 4.0 * UNIT;",
+        "size * 4.0 * crate::math::UNIT",
+        "bound + UNIT * size",
+        "size / UNIT",
+    ] {
+        assert!(has_multiple_of_unit(multiple), "{multiple}");
+    }
+    for harmless in [
+        "pub use error_bounds::UNIT;",
+        "const UNITS: [&str; 6] = [];",
+        "4.0 * UNITS",
+        "SUB_UNIT * 4.0",
+    ] {
+        assert!(!has_multiple_of_unit(harmless), "{harmless}");
+    }
+}
+
+/// Whether a line of code multiplies or divides by the unit roundoff.
+fn has_multiple_of_unit(line: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    line.match_indices("UNIT").any(|(start, name)| {
+        let (before, after) = (&line[..start], &line[start + name.len()..]);
+        if before.ends_with(is_word) || after.starts_with(is_word) {
+            return false;
+        }
+        // Without the path that may stand before the name.
+        let before = before.trim_end_matches(|c: char| is_word(c) || c == ':');
+        let times = |c: char| c == '*' || c == '/';
+        before.trim_end().ends_with(times) || after.trim_start().starts_with(times)
+    })
 }
 
 /// The sources of all rooms but the classic back ends, by their places below `src`.
