@@ -33,7 +33,7 @@ pub(super) trait Round {
     /// The largest factor by which [`in_ball`](Self::in_ball) makes a vector longer.
     fn most_stretch(&self) -> f64;
 
-    /// The exact equation of the distances at which a ray meets the surface.
+    /// The exact equation of the distances at which a ray hits the surface.
     fn equation(&self, ray: &Ray) -> Quadratic;
 
     /// The exact scalar product in the space of the sphere, times a positive factor.
@@ -84,7 +84,7 @@ pub(super) trait Round {
         (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
-    /// The exact distance at which a ray meets the surface.
+    /// The exact distance at which a ray hits the surface.
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         let equation = self.equation(ray);
         if !self.is_entered() {

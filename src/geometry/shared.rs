@@ -22,7 +22,7 @@ const ULPS: u8 = 8;
 /// A plane or a line that surfaces share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shared {
-    /// What is shared.
+    /// The type of the shared geometry.
     pub what: SharedKind,
     /// The surfaces by their positions in the file.
     pub surfaces: Vec<usize>,
@@ -201,7 +201,7 @@ fn lines(plane: &[Member], geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Memb
     })
 }
 
-/// Whether each border on a line owns it.
+/// The ownership of a line by each border on it.
 ///
 /// Borders on one side do, and those on the other without neighbours all along. A point where tiles
 /// meet belongs to at least one of them.

@@ -28,7 +28,7 @@ pub struct Ray<'a> {
 /// A hit that other rays leave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayOrigin<'a> {
-    /// The carrier, which the rays cannot hit again: a line meets a plane once.
+    /// The carrier, which the rays cannot hit again: a line crosses a plane once.
     ///
     /// `None` if they can.
     pub carrier: Option<CarrierId>,

@@ -117,7 +117,8 @@ impl OutlineDepths {
 
 /// Clips the line between two homogeneous image points to a raster.
 ///
-/// The raster is extended by half a pixel. `None` if no part of the line is inside and in front of the camera.
+/// The raster is extended by half a pixel. `None` if no part of the line is inside and in front of
+/// the camera.
 fn clip([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
     let [width, height] = size.map(f64::from);
     // The distance inside each side of the raster, times depth. A point inside two opposite sides

@@ -141,12 +141,12 @@ mod tests {
                 for (off, tilt) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, 1e-6), (1e-6, 1e-9)] {
                     let [_, said] = scattering.behind([0.0, off], tilt, libm::cos(angle));
                     let Some(found) = largest(angle, scattering, off, tilt) else {
-                        assert!(said.is_infinite(), "{turn:?} {angle}");
+                        assert!(said.is_infinite(), "{scattering:?} {angle}");
                         continue;
                     };
                     assert!(
                         found <= said * (1.0 + 1e-5) + 1e-15,
-                        "{found} {said} {turn:?} {angle}"
+                        "{found} {said} {scattering:?} {angle}"
                     );
                     if let Scattering::Refracted(ratio) = scattering
                         && ratio * libm::sin(angle) > 0.999
@@ -155,7 +155,7 @@ mod tests {
                     }
                     assert!(
                         said <= 2.0 * found + 1e-13,
-                        "{found} {said} {turn:?} {angle} {off} {tilt}"
+                        "{found} {said} {scattering:?} {angle} {off} {tilt}"
                     );
                     compared += 1;
                 }
