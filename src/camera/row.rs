@@ -56,11 +56,11 @@ impl Row<'_> {
     #[must_use]
     #[inline(always)]
     pub fn dir(&self, x: f64) -> DVec3 {
-        direction(self.to_window(x))
+        direction(self.window_point(x))
     }
 
     #[inline(always)]
-    fn to_window(&self, x: f64) -> DVec3 {
+    fn window_point(&self, x: f64) -> DVec3 {
         self.camera.to_lower_edge(x) + self.above_lower_edge
     }
 }
@@ -87,7 +87,7 @@ impl PixelSpan<'_> {
         let sides = [camera.lower_left, camera.right, camera.up];
         RayPacket {
             ray: self.row.ray,
-            ends: self.ends().map(|x| self.row.to_window(x)),
+            ends: self.ends().map(|x| self.row.window_point(x)),
             size: sides.iter().map(|side| side.abs().element_sum()).sum(),
         }
     }

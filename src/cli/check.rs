@@ -26,7 +26,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let scenes = options.scenes.iter();
     let statuses: Vec<_> = scenes.map(|scene| one(scene, options, messages)).collect();
     messages.tally(&statuses);
-    statuses.into_iter().fold(Status::Done, Status::worst)
+    statuses.into_iter().max().unwrap_or(Status::Done)
 }
 
 fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {

@@ -165,15 +165,15 @@ fn measured(
             CommandError::io(format!("cannot compare with {}: {error}", path.display()))
         })
     });
-    let reference = reference.transpose()?;
-    let bar = progress::bar(&title, 0, messages);
     let how = CostOptions {
-        reference,
+        reference: reference.transpose()?,
         runs: options.runs,
         with_pictures: options.report.is_some(),
     };
-    let show = |done, of| progress::show(&bar, done, of);
-    let cost = measure::cost(scene, &sweep, how, &show);
+    let bar = progress::bar(&title, 0, messages);
+    let cost = measure::cost(scene, &sweep, how, &|done, of| {
+        progress::show(&bar, done, of)
+    });
     bar.finish_and_clear();
     cost.map_err(refused)
 }
@@ -250,7 +250,7 @@ fn json(
     cost: &Cost,
     answers: &[(&str, Best)],
 ) -> String {
-    let mut line = serde_json::json!(cost);
+    let mut line = cost.json();
     line["scene"] = title.into();
     line["exit"] = status.code().into();
     line["problems"] = problems_json(&reading.warnings, &reading.scene.sources).into();

@@ -16,7 +16,7 @@ use crate::scene::Scene;
 
 /// A finished picture, and everything that can be printed about it.
 #[derive(Debug)]
-pub(super) struct Finished<'a> {
+pub(super) struct Finished {
     pub(super) title: String,
     pub(super) scene: Scene,
     pub(super) warnings: Vec<Diagnostic>,
@@ -29,12 +29,12 @@ pub(super) struct Finished<'a> {
     pub(super) stats: bool,
     pub(super) certificate: Option<Report>,
     pub(super) hash: String,
-    pub(super) output: &'a Output,
+    pub(super) output: Output,
     pub(super) start: Instant,
     pub(super) status: Status,
 }
 
-impl Finished<'_> {
+impl Finished {
     /// Writes the picture to its place, with notes about settings and scene.
     pub(super) fn write(&self, image: &EncodedImage) -> std::io::Result<()> {
         let settings = self.scene.settings.describe().to_string();

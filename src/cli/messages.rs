@@ -123,7 +123,7 @@ impl Messages {
         match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
             Err(error) if error.kind() != ErrorKind::BrokenPipe => {
                 self.error(&format!("cannot write to standard output: {error}"));
-                status.worst(Status::Io)
+                status.max(Status::Io)
             }
             _ => status,
         }

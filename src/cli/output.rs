@@ -25,31 +25,29 @@ impl Output {
     }
 }
 
-/// The outputs that the command line leaves possible for one scene, at least one.
-///
-/// There is one for each depth, the usual one first; the scene's own depth chooses.
+/// The outputs that the command line leaves possible for one scene; the scene's depth chooses.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Outputs(Vec<Output>);
+pub(super) struct Outputs {
+    /// At least one; of those with the same depth, the usual one first.
+    formats: Vec<Format>,
+    /// The file; `None` for standard output.
+    path: Option<PathBuf>,
+    /// True if the format's ending is added to the path.
+    is_stem: bool,
+}
 
 impl Outputs {
-    /// The first of these formats for each depth, at its place.
-    fn of(formats: Vec<Format>, place: impl Fn(Format) -> Option<PathBuf>) -> Self {
-        let mut outputs: Vec<Output> = Vec::new();
-        for format in formats {
-            let depth = format.depth();
-            if outputs.iter().all(|known| known.format.depth() != depth) {
-                let path = place(format);
-                outputs.push(Output { path, format });
-            }
+    /// The output for a picture of this depth, or the usual one if no format has it.
+    pub(super) fn of_depth(&self, depth: BitDepth) -> Output {
+        let mut formats = self.formats.iter();
+        let fitting = formats.find(|format| format.depth() == depth);
+        let format = *fitting.unwrap_or(&self.formats[0]);
+        let mut path = self.path.clone();
+        if let Some(path) = path.as_mut().filter(|_| self.is_stem) {
+            path.as_mut_os_string().push(".");
+            path.as_mut_os_string().push(format.extension());
         }
-        Self(outputs)
-    }
-
-    /// The one for a picture of this depth, or the usual one if none has it.
-    pub(super) fn of_depth(&self, depth: BitDepth) -> &Output {
-        let mut outputs = self.0.iter();
-        let fitting = outputs.find(|output| output.format.depth() == depth);
-        fitting.unwrap_or(&self.0[0])
+        Output { path, format }
     }
 }
 
@@ -66,8 +64,9 @@ pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>,
     let mut taken: HashMap<PathBuf, usize> = HashMap::new();
     for (number, scene) in scenes.iter().enumerate() {
         let outputs = outputs(scene, asked)?;
-        for path in outputs.0.iter().filter_map(|output| output.path.as_ref()) {
-            let place = place(path)?;
+        let possible = BitDepth::ALL.map(|depth| outputs.of_depth(depth));
+        for path in possible.into_iter().filter_map(|output| output.path) {
+            let place = place(&path)?;
             let is_place = |scene: &PathBuf| scene.canonicalize().is_ok_and(|it| it == place);
             let name = path.display();
             if scenes.iter().any(is_place) {
@@ -97,7 +96,11 @@ fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Output
         let reason = "a terminal cannot show a picture; redirect standard output to a file";
         return Err(CommandError::usage(reason));
     }
-    Ok(vec![Outputs::of(asked.formats(None)?, |_| None)])
+    Ok(vec![Outputs {
+        formats: asked.formats(None)?,
+        path: None,
+        is_stem: false,
+    }])
 }
 
 fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, CommandError> {
@@ -105,19 +108,16 @@ fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, CommandError> {
         Some(stem) if scene.as_os_str() != DASH => stem.to_string_lossy().into_owned(),
         _ => title(scene),
     };
-    let within = |folder: PathBuf| {
-        let name = |format: Format| folder.join(format!("{stem}.{}", format.extension()));
-        Ok(Outputs::of(asked.formats(None)?, |it| Some(name(it))))
-    };
-    let Some(pattern) = asked.pattern else {
-        return within(PathBuf::new());
-    };
+    let pattern = asked.pattern.unwrap_or_default();
     let path = PathBuf::from(filled(pattern, &stem)?);
-    if path.is_dir() || pattern.ends_with(MAIN_SEPARATOR) {
-        return within(path);
-    }
-    let formats = asked.formats(Some(&path))?;
-    Ok(Outputs::of(formats, |_| Some(path.clone())))
+    let is_stem = asked.pattern.is_none() || path.is_dir() || pattern.ends_with(MAIN_SEPARATOR);
+    let formats = asked.formats(Some(&path).filter(|_| !is_stem).map(PathBuf::as_path))?;
+    let path = Some(if is_stem { path.join(stem) } else { path });
+    Ok(Outputs {
+        formats,
+        path,
+        is_stem,
+    })
 }
 
 /// The pattern with `{stem}` replaced.

@@ -83,7 +83,7 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let scenes = options.scenes.iter().zip(&outputs);
     let statuses: Vec<_> = scenes.map(|(scene, to)| batch.one(scene, to)).collect();
     messages.tally(&statuses);
-    statuses.into_iter().fold(Status::Done, Status::worst)
+    statuses.into_iter().max().unwrap_or(Status::Done)
 }
 
 /// Checks the command line as a whole, and starts the threads.
@@ -150,7 +150,7 @@ impl Batch<'_> {
     }
 
     /// Renders one scene and writes its picture.
-    fn picture<'o>(&self, path: &Path, outputs: &'o Outputs) -> Result<Finished<'o>, CommandError> {
+    fn picture(&self, path: &Path, outputs: &Outputs) -> Result<Finished, CommandError> {
         let start = Instant::now();
         let title = input::title(path);
         let reading = input::read(path, &self.reader, self.messages)?;
@@ -169,7 +169,8 @@ impl Batch<'_> {
         let part = crop.unwrap_or_else(|| Region::whole(size));
         part.check_within(size)
             .map_err(|error| CommandError::value(Status::Usage, &title, &error))?;
-        let cannot_write = |error| CommandError::write(output.title(), error);
+        let place = output.title();
+        let cannot_write = |error| CommandError::write(&place, error);
         // Found out before the work, not after it.
         if let Some(path) = &output.path {
             check_writable(path).map_err(cannot_write)?;

@@ -13,25 +13,16 @@ use crate::scene::{RenderSettings, SETTINGS, Setting, SettingKind};
 const HEADING: &str = "Picture settings, instead of those of the scene";
 
 /// Values of the `image` node that the command line gives.
-#[derive(Debug, Clone, Args)]
-#[command(next_help_heading = HEADING)]
-pub(super) struct SettingOptions {
-    /// Width and height in pixels, such as 800x600.
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
-    size: Option<[u32; 2]>,
-    #[command(flatten)]
-    settings: Settings,
-}
-
-/// The settings that are given, in the order of the table.
 #[derive(Debug, Clone)]
-struct Settings(Vec<Setting>);
+pub(super) struct SettingOptions {
+    size: Option<[u32; 2]>,
+    settings: Vec<Setting>,
+}
 
 impl SettingOptions {
     /// The depth, if it is given.
     pub(super) fn depth(&self) -> Option<BitDepth> {
-        let mut settings = self.settings.0.iter();
-        let depth = settings.find(|setting| setting.word() == "depth")?;
+        let depth = self.settings.iter().find(|it| it.word() == "depth")?;
         BitDepth::from_word(depth.value().text())
     }
 
@@ -39,31 +30,41 @@ impl SettingOptions {
     pub(super) fn added_to(&self, options: read::Options) -> read::Options {
         read::Options {
             size: self.size,
-            settings: self.settings.0.clone(),
+            settings: self.settings.clone(),
             ..options
         }
     }
 }
 
-impl FromArgMatches for Settings {
+impl Args for SettingOptions {
+    fn augment_args(command: Command) -> Command {
+        let size = Arg::new("size")
+            .long("size")
+            .value_name("WxH")
+            .allow_hyphen_values(true)
+            .value_parser(size)
+            .help("Width and height in pixels, such as 800x600");
+        let settings = SETTINGS.iter().map(option);
+        command.next_help_heading(HEADING).arg(size).args(settings)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for SettingOptions {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let given = SETTINGS.iter().filter_map(|it| matches.get_one(it.word));
-        Ok(Self(given.cloned().collect()))
+        Ok(Self {
+            size: matches.get_one("size").copied(),
+            settings: given.cloned().collect(),
+        })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
         *self = Self::from_arg_matches(matches)?;
         Ok(())
-    }
-}
-
-impl Args for Settings {
-    fn augment_args(command: Command) -> Command {
-        command.args(SETTINGS.iter().map(option))
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        Self::augment_args(command)
     }
 }
 

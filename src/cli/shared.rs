@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::explanation::counted;
 use crate::geometry::{Shared, SharedKind};
+use crate::plan::Cause;
 use crate::scene::Scene;
 
 /// The shared planes and lines as JSON values.
@@ -52,11 +53,11 @@ fn word(shared: &Shared) -> &'static str {
 /// The surfaces by kind and name, or else by kind and number in the file.
 fn names(scene: &Scene, shared: &Shared) -> Vec<String> {
     let name = |index: &usize| {
-        let surface = &scene.surfaces[*index];
-        let kind = surface.describe().word;
-        match &surface.common().name {
-            Some(name) => format!("{kind} {name:?}"),
-            None => format!("{kind} number {}", index + 1),
+        let surface = &*scene.surfaces[*index];
+        let title = Cause::of_surface(surface).title;
+        match surface.common().name {
+            Some(_) => title,
+            None => format!("{title} number {}", index + 1),
         }
     };
     shared.surfaces.iter().map(name).collect()

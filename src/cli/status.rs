@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-/// Outcome of a command, from the best to the worst.
+/// Outcome of a command, from the best to the worst; the worst of a batch is that of the batch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Status {
     /// Success.
@@ -34,11 +34,6 @@ impl Status {
             Self::Bug => 70,
         }
     }
-
-    /// The worse of two: the status of a batch is that of its worst part.
-    pub(super) fn worst(self, other: Self) -> Self {
-        self.max(other)
-    }
 }
 
 impl From<Status> for ExitCode {
@@ -53,11 +48,11 @@ mod tests {
 
     #[test]
     fn the_worst_of_a_batch_wins() {
-        assert_eq!(Done.worst(Done), Done);
-        assert_eq!(Done.worst(No), No);
-        assert_eq!(BadInput.worst(No), BadInput);
-        assert_eq!(BadInput.worst(Io), Io);
-        assert_eq!(NonFinite.worst(Io), NonFinite);
-        assert_eq!(Bug.worst(NonFinite), Bug);
+        assert_eq!(Done.max(Done), Done);
+        assert_eq!(Done.max(No), No);
+        assert_eq!(BadInput.max(No), BadInput);
+        assert_eq!(BadInput.max(Io), Io);
+        assert_eq!(NonFinite.max(Io), NonFinite);
+        assert_eq!(Bug.max(NonFinite), Bug);
     }
 }

@@ -51,7 +51,7 @@ impl Story<'_> {
     /// A ray with everything that it caused.
     fn step(&mut self, ray: &RayReport, depth: usize) -> std::fmt::Result {
         let mut name = ray_name(ray.kind);
-        let Some(met) = &ray.hit else {
+        let Some(hit) = &ray.hit else {
             return self.line(depth, &format!("{name} hits nothing"));
         };
         if ray.share != [1.0; 3] {
@@ -59,13 +59,13 @@ impl Story<'_> {
         }
         self.line(depth, &name)?;
         let inner = depth + 1;
-        self.hit(met, inner)?;
+        self.hit(hit, inner)?;
         for light in &ray.lights {
             self.arrival(light, inner)?;
         }
         let own = color(ray.own);
         let own = match ray.of_lamps {
-            _ if met.glows => format!("emits {own}"),
+            _ if hit.glows => format!("emits {own}"),
             [0.0, 0.0, 0.0] => format!("own colour {own}"),
             of_lamps => format!(
                 "own colour {own}, of which {} is from lamps",
@@ -86,17 +86,17 @@ impl Story<'_> {
         Ok(())
     }
 
-    fn hit(&mut self, met: &HitReport, depth: usize) -> std::fmt::Result {
-        let (surface, distance) = (placed(&met.surface, self.title), number(met.distance));
-        let point = color(met.place);
+    fn hit(&mut self, hit: &HitReport, depth: usize) -> std::fmt::Result {
+        let (surface, distance) = (placed(&hit.surface, self.title), number(hit.distance));
+        let point = color(hit.place);
         self.line(
             depth,
             &format!("hits {surface} at distance {distance}, point {point}"),
         )?;
-        if met.texel == [1.0; 3] {
+        if hit.texel == [1.0; 3] {
             return Ok(());
         }
-        self.line(depth, &format!("texture colour {}", color(met.texel)))
+        self.line(depth, &format!("texture colour {}", color(hit.texel)))
     }
 
     /// The light of a light or a lamp at the hit.

@@ -33,10 +33,6 @@ use round::Round;
 
 /// The geometry of a surface.
 #[derive(Debug, Clone)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "most surfaces of most scenes are rectangles, and a box would cost every test a fetch"
-)]
 pub enum Shape {
     /// An unbounded plane.
     Plane(Plane),

@@ -247,15 +247,28 @@ mod tests {
     /// A new version of the crate may word them differently; then the messages here are worse.
     #[test]
     fn the_matched_sentences_are_those_of_the_kdl_crate() {
-        for text in [
-            "a { b 1, 2 }",
-            "a b=",
-            "a { 1 2 }",
-            "a \"\"\"b\"\"\"",
-            "a \"\"\"\n  b\n c\n  \"\"\"",
-        ] {
-            println!("{text:?} {:#?}", said(text));
+        let sentences = [
+            ("a { b 1, 2 }", "Expected integer", "not integer"),
+            ("a b=", "Expected property value", "not property value"),
+            ("a { 1 2 }", "Found invalid node name", "not node name"),
+            (
+                "a \"\"\"b\"\"\"",
+                "Multi-line string opening quotes must be immediately followed by a newline",
+                "not quoted string",
+            ),
+            (
+                "a \"\"\"\n  b\n c\n  \"\"\"",
+                "matching multiline string prefix",
+                "not quoted string",
+            ),
+        ];
+        for (text, message, label) in sentences {
+            let first = said(text).into_iter().next();
+            assert_eq!(
+                first,
+                Some((message.to_owned(), label.to_owned())),
+                "{text}"
+            );
         }
-        panic!();
     }
 }

@@ -50,6 +50,18 @@ impl SettingKind {
         in_writing: false,
     };
 
+    /// The setting with this word, if `cost` varies it.
+    #[must_use]
+    pub fn varied(word: &str) -> Option<&'static Self> {
+        SETTINGS.iter().find(|it| it.word == word && it.rank > 0)
+    }
+
+    /// The setting at its most accurate value, if it has one.
+    #[must_use]
+    pub fn best(&self) -> Option<Setting> {
+        Setting::new(self.word, self.best?).ok()
+    }
+
     /// The property in the schema of the `image` node.
     #[must_use]
     pub const fn attribute(&self) -> Attribute {
@@ -104,7 +116,8 @@ impl Setting {
     }
 
     /// The setting without its value.
-    pub(super) fn kind(&self) -> &'static SettingKind {
+    #[must_use]
+    pub fn kind(&self) -> &'static SettingKind {
         &SETTINGS[self.row]
     }
 

@@ -161,7 +161,8 @@ impl Candidate {
     fn is_in_question(&self, uv: DVec2, ray: &Ray) -> bool {
         let is_missed = |shadow: &ShadowRect| shadow.is_missed(uv, ray);
         let left = ray.leaves();
-        !self.shadow.as_ref().is_some_and(is_missed) && !(left.is_some() && self.carrier == left)
+        let is_left = left.is_some() && self.carrier == left;
+        !is_left && !self.shadow.as_ref().is_some_and(is_missed)
     }
 }
 

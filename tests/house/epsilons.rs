@@ -91,7 +91,7 @@ const ALLOWED: [Allowed; 9] = [
     },
     Allowed {
         file: "scene/render_settings.rs",
-        line: ".or(Default::Number(0.000_98)),",
+        line: "cut_off: 0.000_98,",
         reason: "the default of `cut-off`, a setting of the user",
     },
 ];

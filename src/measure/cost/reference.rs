@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::dial::best_of;
 use super::draw::draw;
 use super::sweep::Sweep;
+use super::varied::best_of;
 use crate::film::{Film, Transfer};
 use crate::language::ValueError;
 use crate::measure::deviation::rmse;

@@ -26,7 +26,7 @@ fn quiet_says_nothing_and_verbose_tells_the_work() {
     shell
         .run(&["render", "scene.kdl", "-v"])
         .ends_with(0)
-        .says("1200 from the eye");
+        .says("1200 camera");
 }
 
 #[test]
@@ -170,7 +170,9 @@ fn the_help_has_below_a_heading_what_belongs_there() {
     let shell = Shell::new();
     for command in ["render", "cost"] {
         let help = shell.run(&[command, "--help"]).ends_with(0);
-        let parts = help.stdout_text().split_once("The picture, instead of");
+        let parts = help
+            .stdout_text()
+            .split_once("Picture settings, instead of");
         let (options, picture) = parts.expect("a heading");
         for (word, is_of_picture) in [("--size", true), ("--depth", true), ("--json", false)] {
             assert_eq!(picture.contains(word), is_of_picture, "{command} {word}");
