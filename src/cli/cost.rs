@@ -172,7 +172,7 @@ fn measured(
     };
     let bar = progress::bar(&title, 0, messages);
     let cost = measure::cost(scene, &sweep, how, &|done, of| {
-        progress::show(&bar, done, of)
+        progress::show(&bar, done, of);
     });
     bar.finish_and_clear();
     cost.map_err(refused)
