@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use heliodon::film::{Format, Notes, save};
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Options, read_file};
 use heliodon::render::render;
 
@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
         Ok(reading) => reading.scene,
         // All mistakes at once, each with its line, what was expected and advice.
         Err(refused) => {
-            let messages = render_problems(&refused.problems, &refused.sources, false, 100);
+            let messages = render_diagnostics(&refused.diagnostics, &refused.sources, false, 100);
             return Err(messages.into());
         }
     };

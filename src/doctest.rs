@@ -26,7 +26,7 @@ pub fn surface(text: &str, origin: [f64; 3], direction: [f64; 3], expected: Opti
         PathBuf::new(),
         &Options::default(),
     );
-    let reading = read.unwrap_or_else(|no| panic!("{:?}", no.problems));
+    let reading = read.unwrap_or_else(|no| panic!("{:?}", no.diagnostics));
     let ray = Ray::new(
         Point::exact(origin.into()),
         unit(direction.into()).unwrap_or_else(|| panic!("the direction is zero")),

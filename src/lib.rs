@@ -59,6 +59,7 @@ pub mod cli;
 pub mod doctest;
 pub mod film;
 pub mod geometry;
+pub mod image_file;
 pub mod language;
 pub mod light;
 pub mod material;

@@ -7,7 +7,7 @@ use std::io::{Cursor, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use heliodon::film::{Film, Transfer};
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Language, Options, read_bytes};
 use heliodon::scene::Scene;
 use heliodon::texture;
@@ -95,7 +95,12 @@ fn read(bytes: Vec<u8>, language: Language) -> Result<Scene, String> {
     };
     match read_bytes("scene", bytes, folder(language), &options) {
         Ok(reading) => Ok(reading.scene),
-        Err(error) => Err(render_problems(&error.problems, &error.sources, false, 100)),
+        Err(error) => Err(render_diagnostics(
+            &error.diagnostics,
+            &error.sources,
+            false,
+            100,
+        )),
     }
 }
 

@@ -12,7 +12,7 @@ use super::output::place;
 use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{Status, input, progress};
-use crate::film::{check_place, save};
+use crate::film::{check_writable, save};
 use crate::measure::{self, Best, Cost, CostOptions, Limit, Reference, Sweep, Variation};
 use crate::read::Reading;
 use crate::scene::Scene;
@@ -208,7 +208,7 @@ fn check_outputs(options: &Options, scene: &Scene) -> Result<(), CommandError> {
         if let Some(reason) = refused {
             return Err(CommandError::usage(reason));
         }
-        check_place(output).map_err(|error| CommandError::write(name, error))?;
+        check_writable(output).map_err(|error| CommandError::write(name, error))?;
     }
     Ok(())
 }

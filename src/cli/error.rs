@@ -63,7 +63,7 @@ impl CommandError {
     pub(super) fn json(&self, scene: &Path) -> String {
         let (error, problems) = match &self.cause {
             Cause::Reason(reason) => (Some(reason), Vec::new()),
-            Cause::Scene(error) => (None, problems_json(&error.problems, &error.sources)),
+            Cause::Scene(error) => (None, problems_json(&error.diagnostics, &error.sources)),
         };
         let line = serde_json::json!({
             "scene": title(scene),

@@ -9,7 +9,7 @@ use super::messages::{Messages, problems_json};
 use super::output::Output;
 use super::{Status, stats};
 use crate::film::{EncodedImage, Notes, Region, save};
-use crate::language::Problem;
+use crate::language::Diagnostic;
 use crate::measure::LightTests;
 use crate::render::Counts;
 use crate::scene::Scene;
@@ -19,7 +19,7 @@ use crate::scene::Scene;
 pub(super) struct Finished {
     pub(super) title: String,
     pub(super) scene: Scene,
-    pub(super) warnings: Vec<Problem>,
+    pub(super) warnings: Vec<Diagnostic>,
     pub(super) counts: Counts,
     /// The part that was asked for.
     pub(super) crop: Option<Region>,
@@ -45,7 +45,7 @@ impl Finished {
             ("Scene hash", self.hash.clone()),
         ];
         if let Some(crop) = self.crop {
-            let corners = crop.corners().map(|it| it.to_string());
+            let corners = crop.bounds().map(|it| it.to_string());
             notes.push(("Crop", corners.join(",")));
         }
         let notes = Notes(notes);
@@ -76,7 +76,7 @@ impl Finished {
             "problems": problems_json(&self.warnings, &self.scene.sources),
         });
         if let Some(crop) = &self.crop {
-            line["crop"] = serde_json::json!(crop.corners());
+            line["crop"] = serde_json::json!(crop.bounds());
         }
         if self.stats {
             line["by_light"] = serde_json::json!(LightTests::all(&self.scene, &self.counts));

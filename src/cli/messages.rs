@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::error::{Cause, CommandError};
 use super::{Global, Status};
-use crate::language::{Problem, Severity, Sources, render_problems};
+use crate::language::{Diagnostic, Severity, Sources, render_diagnostics};
 
 /// The option for results in JSON.
 #[derive(Debug, Clone, Copy, Args)]
@@ -73,7 +73,7 @@ impl Messages {
     pub(super) fn failed(&self, error: &CommandError) -> Status {
         match &error.cause {
             Cause::Reason(reason) => self.error(reason),
-            Cause::Scene(scene) => self.problems(&scene.problems, &scene.sources),
+            Cause::Scene(scene) => self.problems(&scene.diagnostics, &scene.sources),
         }
         error.status
     }
@@ -99,11 +99,11 @@ impl Messages {
     }
 
     /// Prints the problems of a scene.
-    pub(super) fn problems(&self, problems: &[Problem], sources: &Sources) {
+    pub(super) fn problems(&self, problems: &[Diagnostic], sources: &Sources) {
         let problems = problems.iter();
         let shown = problems.filter(|it| !self.quiet || it.severity == Severity::Error);
         let shown: Vec<_> = shown.cloned().collect();
-        let text = render_problems(&shown, sources, self.color, self.width);
+        let text = render_diagnostics(&shown, sources, self.color, self.width);
         let _ = io::stderr().lock().write_all(text.as_bytes());
     }
 
@@ -136,8 +136,8 @@ fn print_error(text: &str) {
 }
 
 /// Problems as JSON values.
-pub(super) fn problems_json(problems: &[Problem], sources: &Sources) -> Vec<Value> {
-    let as_json = |problem: &Problem| {
+pub(super) fn problems_json(problems: &[Diagnostic], sources: &Sources) -> Vec<Value> {
+    let as_json = |problem: &Diagnostic| {
         let place = problem.place.as_ref().map(|(at, label)| {
             let source = sources.get(at.source);
             let (line, column) = source.line_and_column(at.start);

@@ -1,4 +1,4 @@
-//! Places of pictures, decided for all scenes before the first is rendered.
+//! SamplePositions of pictures, decided for all scenes before the first is rendered.
 
 use std::collections::HashMap;
 use std::io::{ErrorKind, IsTerminal};

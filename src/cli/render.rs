@@ -17,7 +17,7 @@ use super::output::{Outputs, plan};
 use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{Status, input, progress};
-use crate::film::{EncodedImage, Format, Region, check_place};
+use crate::film::{EncodedImage, Format, Region, check_writable};
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::Scope;
@@ -173,7 +173,7 @@ impl Batch<'_> {
         let cannot_write = |error| CommandError::write(&place, error);
         // Found out before the work, not after it.
         if let Some(path) = &output.path {
-            check_place(path).map_err(cannot_write)?;
+            check_writable(path).map_err(cannot_write)?;
         }
         let (mut image, counts, certificate) = self
             .render(&scene, part, output.format, &title)

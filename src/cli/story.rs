@@ -124,7 +124,7 @@ fn ray_name(kind: &str) -> String {
 /// The numbers of a colour in the picture's file.
 fn stored(color: [f64; 3], scene: &Scene) -> String {
     let settings = &scene.settings;
-    let stored = color.map(|channel| settings.depth.kept(channel, settings.encoding()));
+    let stored = color.map(|channel| settings.depth.stored(channel, settings.encoding()));
     stored.map(|number| number.to_string()).join(" ")
 }
 

@@ -32,7 +32,7 @@ impl Plane {
         Attribute::new(
             "normal",
             Takes::Triple,
-            "the direction it faces; any length but zero",
+            "the normal; any length except zero",
         ),
     ];
 

@@ -49,17 +49,17 @@ impl Rectangle {
         Attribute::new(
             "normal",
             Takes::Triple,
-            "the direction it faces; any length but zero",
+            "the normal; any length except zero",
         ),
         Attribute::new(
             "xdir",
             Takes::Triple,
-            "where its own x grows; projected into the plane",
+            "direction of its own x axis; projected into the plane",
         ),
         Attribute::new(
             "dimensions",
             Takes::Pair(Range::Positive),
-            "width along x, height along y",
+            "width along its x axis, height along its y axis",
         )
         .unit("world units"),
     ];

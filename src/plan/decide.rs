@@ -91,12 +91,13 @@ fn soft_shadows(plan: &Plan<'_>) -> Decision {
 /// Returns whether a shadow on a surface would be visible.
 fn shows_shadows(surface: &dyn Surface) -> bool {
     let ([_, diffuse], common) = (surface.brightest(), surface.common());
-    common.shadows.receive && (diffuse > 0.0 || common.material.has_glints())
+    common.shadows.receive && (diffuse > 0.0 || common.material.has_highlights())
 }
 
 fn glints(plan: &Plan<'_>) -> Decision {
     let is_lit = |index: usize| plan.lights.iter().any(|it| it.unlit[index].is_none());
-    let shiny: Vec<_> = surfaces(plan, |surface| surface.common().material.has_glints()).collect();
+    let shiny: Vec<_> =
+        surfaces(plan, |surface| surface.common().material.has_highlights()).collect();
     let lit: Vec<_> = shiny.iter().filter(|(index, _)| is_lit(*index)).collect();
     let why = match (shiny.len(), lit.len()) {
         (0, _) => "no material has both `shininess` and `specular`".to_owned(),

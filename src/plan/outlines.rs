@@ -94,7 +94,7 @@ impl OutlineDepths {
 
     /// Draws a line of a picture of this height.
     fn draw(&mut self, [from, to]: &Line, height: usize) {
-        let [left, top, right, bottom] = self.part.corners();
+        let [left, top, right, bottom] = self.part.bounds();
         // Lines count rows from the bottom.
         for row in touched([from.y, to.y], height - bottom..height - top) {
             let rise = to.y - from.y;

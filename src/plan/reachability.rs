@@ -148,7 +148,7 @@ fn opposite(side: Side) -> Side {
 }
 
 fn sends_on(surface: &dyn Surface) -> bool {
-    surface.common().material.sends_on()
+    surface.common().material.spawns_rays()
 }
 
 /// The box in which a surface can be hit; `None` if it is unbounded.

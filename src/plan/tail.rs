@@ -61,7 +61,7 @@ fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
         .map_or(0.0, |lamp| lamp.emissivity().largest());
     let own =
         (ambient + shown + lamplight * diffuse + lit.sum::<f64>()) * (1.0 - material.transparency);
-    let through = material.transparency * material.filter().largest();
+    let through = material.transparency * material.tint().largest();
     // With an index of refraction, the share R is reflected, and 1 − R is treated as without one:
     // (1 − R)(a + k V) + R V ≤ V if a + k V ≤ V.
     let mirrored = match material.ior {

@@ -91,7 +91,7 @@ impl Unlit {
         let [_, diffuse] = surface.brightest();
         let material = &surface.common().material;
         match () {
-            () if diffuse <= 0.0 && !material.has_glints() => Some(Self::Colorless),
+            () if diffuse <= 0.0 && !material.has_highlights() => Some(Self::Colorless),
             () if material.transparency == 1.0 => Some(Self::Clear),
             () => None,
         }

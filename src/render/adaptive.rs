@@ -2,7 +2,7 @@
 
 use super::sample_accumulator::{Content, EDGE_ERROR, Neighborhood, SampleAccumulator};
 use super::{Both, Probe, Seed, Tracer, edge_detector::EdgeDetector};
-use crate::camera::{Pattern, Places};
+use crate::camera::{Pattern, SamplePositions};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
@@ -63,7 +63,7 @@ impl<'a> Adaptive<'a> {
     /// Draws a part of the picture, in pieces of limited width to limit memory.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
         const WIDEST: usize = 256;
-        let [left, top, right, _] = part.corners();
+        let [left, top, right, _] = part.bounds();
         for left in (left..right).step_by(WIDEST) {
             let piece = Region {
                 left,
@@ -86,15 +86,15 @@ impl<'a> Adaptive<'a> {
         let wide = part.grown_within(size);
         let outlines = self.outlines.over(wide);
         let pilots: Vec<_> = wide
-            .places()
+            .pixels()
             .map(|pixel| self.pilot(pixel, outlines.nearest(pixel), probe))
             .collect();
         let pilot = |[column, row]: [usize; 2]| {
             &pilots[(row - wide.top) * wide.width + (column - wide.left)]
         };
-        for pixel in part.places() {
+        for pixel in part.pixels() {
             let own = *pilot(pixel);
-            let neighborhood = Region::around(pixel, size).places().map(pilot);
+            let neighborhood = Region::around(pixel, size).pixels().map(pilot);
             let neighborhood = neighborhood.fold(Neighborhood::of(&own), |all, it| {
                 all.and(Neighborhood::of(it))
             });
@@ -108,7 +108,7 @@ impl<'a> Adaptive<'a> {
         let wide = Region::around(pixel, size);
         let outlines = self.outlines.over(wide);
         let own = self.pilot(pixel, outlines.nearest(pixel), probe);
-        let others = wide.places().filter(|other| *other != pixel);
+        let others = wide.pixels().filter(|other| *other != pixel);
         let others = others.map(|other| self.pilot(other, outlines.nearest(other), &mut ()));
         let neighborhood = others.fold(Neighborhood::of(&own), |all, it| {
             all.and(Neighborhood::of(&it))
@@ -224,7 +224,7 @@ impl<'a> Adaptive<'a> {
         // The camera counts rows from the bottom.
         let row = self.settings.height as usize - 1 - row;
         let end = samples.count + parts * size;
-        let places = Places::new(Pattern::Sobol, column, row, end);
+        let places = SamplePositions::new(Pattern::Sobol, column, row, end);
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
         let tracer = Tracer {

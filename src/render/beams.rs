@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::tracer::Interaction;
 use super::{RayKind, Tracer};
-use crate::camera::{Pattern, Places, Share};
+use crate::camera::{Pattern, SampleCell, SamplePositions};
 use crate::geometry::Hit;
 use crate::math::{Beam, Rgb};
 use crate::texture::Filter;
@@ -27,8 +27,8 @@ impl Tracer<'_> {
         let offset = [x - pixel[0], y - pixel[1]];
         let share = match self.plan.filter {
             // The cells are the same in every pixel.
-            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(offset),
-            _ => Share::around(offset, self.rays),
+            Some(Filter::Exact) => SamplePositions::new(pattern, 0, 0, self.rays).cell(offset),
+            _ => SampleCell::around(offset, self.rays),
         };
         let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
         self.plan.camera.beam(middle, share.sides)

@@ -162,9 +162,9 @@ fn is_shown_exactly(surface: &dyn Surface) -> bool {
     let has_image = surface.texture().is_some();
     let is_shown = match surface.shape().carrier() {
         Some(_) => material.ior.is_none() && !(has_image && material.transparency > 0.0),
-        None => !has_image && !material.sends_on(),
+        None => !has_image && !material.spawns_rays(),
     };
-    is_shown && !material.has_glints()
+    is_shown && !material.has_highlights()
 }
 
 fn bits(color: Rgb) -> [u64; 3] {

@@ -36,7 +36,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::camera::{Pattern, Places};
+use crate::camera::{Pattern, SamplePositions};
 use crate::film::{EncodedImage, Film, Format, Region};
 use crate::language::ValueError;
 use crate::math::Rgb;
@@ -224,7 +224,7 @@ impl<'a> Painter<'a> {
             Some(adaptive) => adaptive.draw(rows, pixels, &mut probe),
             None if scene.settings.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
-                for ([column, row], pixel) in rows.places().zip(pixels) {
+                for ([column, row], pixel) in rows.pixels().zip(pixels) {
                     *pixel = uniform(tracer, scene, column, row, &mut probe);
                 }
             }
@@ -271,7 +271,7 @@ fn uniform(
     if count == 1 {
         return tracer.sees(x, y, probe);
     }
-    let places = Places::new(pattern, column, from_bottom, count);
+    let places = SamplePositions::new(pattern, column, from_bottom, count);
     let mut sum = Rgb::BLACK;
     for number in 0..count {
         let [dx, dy] = places.at(number);

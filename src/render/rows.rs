@@ -49,7 +49,7 @@ impl<'a> Tracer<'a> {
     }
 
     fn draw_each(&self, span: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        for (x, pixel) in span.places().zip(pixels) {
+        for (x, pixel) in span.centers().zip(pixels) {
             *pixel = self.sees(x, span.row.y, probe);
         }
     }
@@ -91,12 +91,12 @@ impl<'a> Tracer<'a> {
         let row = span.row;
         let mut rays = [row.ray(0.0); LONGEST];
         let mut hits = [None; LONGEST];
-        for (x, ray) in span.places().zip(&mut rays) {
+        for (x, ray) in span.centers().zip(&mut rays) {
             ray.dir = row.dir(x);
         }
         let (rays, hits) = (&rays[..pixels.len()], &mut hits[..pixels.len()]);
         primitive.surface.shape().intersect_batch(rays, hits);
-        let places = span.places().zip(pixels);
+        let places = span.centers().zip(pixels);
         for ((ray, hit), (x, pixel)) in rays.iter().zip(hits).zip(places) {
             tested_once(probe);
             *pixel = match hit {

@@ -64,7 +64,7 @@ impl Tracer<'_> {
 
             let material = &primitive.common.material;
             let everything = self.plan.scope == Scope::Everything;
-            if material.has_glints() || everything && material.shininess > 0.0 {
+            if material.has_highlights() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - at.ray.dir).normalize_or_zero();
@@ -86,7 +86,7 @@ impl Tracer<'_> {
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(leaving) = light.seen_along(segment.ray.dir) else {
+        let Some(leaving) = light.incident(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
         let occlusion = if receiver.is_shadowed() {

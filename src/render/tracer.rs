@@ -89,7 +89,7 @@ impl<'a> Tracer<'a> {
         probe.on(Event::Ray(RayKind::Camera, Rgb::WHITE));
         let plan = self.plan;
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
-        let span = plan.camera.span(&ray);
+        let span = plan.camera.limits(&ray);
         let found = match &plan.screen_bounds {
             Some(bounds) => bounds.nearest([x, y], &ray, span, &mut tests),
             None => plan.surfaces.nearest(&ray, span, &mut tests),
@@ -129,7 +129,7 @@ impl<'a> Tracer<'a> {
     /// The colour along a ray; black if it hits nothing.
     fn trace(&self, ray: &Ray, path: &Path, budget: &mut Budget, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
-        let span = self.plan.camera.span(ray);
+        let span = self.plan.camera.limits(ray);
         let found = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.on(Event::HitTests(tests));
         match &found {

@@ -69,7 +69,7 @@ impl RenderSettings {
     /// The `image` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "image",
-        about: "The picture's width and height in pixels, and how its pixels are made.",
+        about: "Size and accuracy of the picture.",
         naming: Naming::None,
         value: Some(
             &Attribute::new(
@@ -187,7 +187,7 @@ impl RenderSettings {
     /// [`cut_off`](Self::cut_off), however dark the pixel is.
     #[must_use]
     pub fn missing_light(&self) -> f64 {
-        self.cut_off / self.transfer.steepest()
+        self.cut_off / self.transfer.max_slope()
     }
 }
 

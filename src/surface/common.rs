@@ -43,14 +43,18 @@ impl Common {
         Attribute::new(
             "material",
             Takes::Name(Reference::Material),
-            "how it answers light",
+            "the material of the surface",
         ),
-        Attribute::new("shadows", Takes::Nothing, "its part in shadows")
+        Attribute::new("shadows", Takes::Nothing, "its shadows")
             .optional()
             .with(&[
-                Attribute::new("receive", Takes::Flag, "whether others can shadow it")
-                    .or(Default::Flag(true)),
-                Attribute::new("cast", Takes::Flag, "whether it can shadow others")
+                Attribute::new(
+                    "receive",
+                    Takes::Flag,
+                    "whether other surfaces cast shadows on it",
+                )
+                .or(Default::Flag(true)),
+                Attribute::new("cast", Takes::Flag, "whether it casts shadows")
                     .or(Default::Flag(true)),
             ]),
     ];
@@ -88,7 +92,7 @@ impl Common {
     /// The share of light that passes straight through where the texel has this colour.
     #[must_use]
     pub fn transmits(&self, texel: Rgb) -> Rgb {
-        self.material.filter() * self.material.transparency * texel
+        self.material.tint() * self.material.transparency * texel
     }
 
     /// Adds the common properties to a surface's node.

@@ -18,7 +18,7 @@ use crate::texture::{Filter, TextureMap, Wrap, gettexel};
 pub(super) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
     "texture",
     Takes::Name(Reference::Texture),
-    "an image wrapped around it once: its middle faces +z, its top is at +y",
+    "an image wrapped around it once, with its middle at +z and its top at +y",
 )
 .optional()];
 
@@ -58,7 +58,7 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, hit.texel, &image.in_texels(spread), wraps)
+    image.filtered_linearly(filter, hit.texel, &image.in_texels(spread), wraps)
 }
 
 /// The unit vector of a hit in the space where the shape is the unit sphere.

@@ -43,7 +43,7 @@ impl Lamp {
     /// The `lamp` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "lamp",
-        about: "A rectangle or a ball that shines and is seen; its shadows are soft.",
+        about: "A rectangle or a sphere that emits light and is seen; its shadows are soft.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -51,48 +51,50 @@ impl Lamp {
             Attribute::new(
                 "point",
                 Takes::Triple,
-                "the lower-left corner of a rectangle, which shines on its front",
+                "the lower-left corner of a rectangle, which emits light on its front",
             )
             .unit("world units")
             .optional(),
             Attribute::new(
                 "normal",
                 Takes::Triple,
-                "the direction in which a rectangle shines; any length but zero",
+                "the normal of a rectangle, on the side that emits light; any length except zero",
             )
             .optional(),
             Attribute::new(
                 "xdir",
                 Takes::Triple,
-                "where a rectangle's own x grows; projected into its plane",
+                "direction of a rectangle's own x axis; projected into its plane",
             )
             .optional(),
             Attribute::new(
                 "dimensions",
                 Takes::Pair(Range::Positive),
-                "a rectangle's width along x, height along y",
+                "width of a rectangle along its x axis, height along its y axis",
             )
             .unit("world units")
             .optional(),
-            Attribute::new("center", Takes::Triple, "the centre of a ball")
+            Attribute::new("center", Takes::Triple, "the centre of a sphere")
                 .unit("world units")
                 .optional(),
             Attribute::new(
                 "radius",
                 Takes::Number(Range::Positive),
-                "the radius of a ball",
+                "the radius of a sphere",
             )
             .unit("world units")
             .optional(),
             Attribute::new(
                 "emissivity",
                 Takes::Color,
-                "how bright it is, all over; what it lights fades by its apparent size alone",
+                "brightness, equal at all points; the light on a surface depends on the lamp's \
+                 apparent size, not on `falloff`",
             ),
             Attribute::new(
                 "samples",
                 Takes::Number(Range::Whole(1, Self::MOST_SAMPLES)),
-                "places of it that are asked where its shadow may be soft; powers of two are best",
+                "points on the lamp that are tested where its shadow may be soft; powers of two \
+                 are best",
             )
             .or(Default::Number(64.0)),
         ]],

@@ -69,7 +69,7 @@ impl ProceduralPlane {
     /// The `procedural-plane` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "procedural-plane",
-        about: "An unbounded plane whose ambient colour is a formula of the place.",
+        about: "An unbounded plane with an ambient colour that is a formula of the position.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -79,7 +79,7 @@ impl ProceduralPlane {
             &[Attribute::new(
                 "shader",
                 Takes::Word(&Shader::WORDS),
-                "the formula",
+                "the formula of the colour",
             )],
         ],
     };

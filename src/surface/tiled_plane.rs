@@ -75,7 +75,7 @@ impl TiledPlane {
     /// The `tiled-plane` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "tiled-plane",
-        about: "An unbounded plane of tiles in two materials, in a checkerboard.",
+        about: "An unbounded checkerboard of tiles in two materials.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -84,17 +84,18 @@ impl TiledPlane {
             &[Attribute::new(
                 "alternate",
                 Takes::Name(Reference::Material),
-                "the material of every other tile; its ambient and diffuse count",
+                "the material of every other tile; only its `ambient` and `diffuse` are used",
             )],
             Plane::ATTRIBUTES,
             &[
-                Attribute::new("xdir", Takes::Triple, "where a row of tiles runs"),
+                Attribute::new("xdir", Takes::Triple, "direction of a row of tiles"),
                 Attribute::new("dimensions", Takes::Pair(Range::Positive), "size of a tile")
                     .unit("world units"),
                 Attribute::new(
                     "start",
                     Takes::Word(&TileStart::WORDS),
-                    "count tiles from `point`, or as the course's programs did",
+                    "origin of the tiles: `point`, or the world's origin as in the course's \
+                     programs",
                 )
                 .or(Default::Word(TileStart::Point.word())),
             ],

@@ -54,7 +54,7 @@ impl<'a> Primitive<'a> {
             carrier: None,
             plane: None,
             is_entered: false,
-            sends_on: surface.common().material.sends_on(),
+            sends_on: surface.common().material.spawns_rays(),
             numerics,
             point_error: surface.shape().point_error(),
         }

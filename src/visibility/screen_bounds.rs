@@ -33,10 +33,10 @@ impl<'a> ScreenBounds<'a> {
         let window = |primitive: &Primitive<'a>| {
             let outline = primitive.surface.shape().outline();
             if !outline.is_empty() {
-                return camera.window(outline, shared_border_error(primitive.surface));
+                return camera.raster_bounds(outline, shared_border_error(primitive.surface));
             }
             match primitive.surface.shape().bounds() {
-                Some(bounds) => camera.window(bounds.corners(), 0.0),
+                Some(bounds) => camera.raster_bounds(bounds.corners(), 0.0),
                 None => Some(RasterRect::EVERYWHERE),
             }
         };
@@ -54,7 +54,7 @@ impl<'a> ScreenBounds<'a> {
     pub fn visible(&self, size: [u32; 2], count: usize) -> Vec<bool> {
         let mut seen = vec![false; count];
         for (window, primitive) in &self.seen {
-            seen[primitive.index] = window.meets(size);
+            seen[primitive.index] = window.overlaps_picture(size);
         }
         seen
     }
@@ -65,10 +65,10 @@ impl<'a> ScreenBounds<'a> {
         let mut here = self
             .seen
             .iter()
-            .filter(|(window, _)| window.meets_stretch(span));
+            .filter(|(window, _)| window.overlaps_span(span));
         match (here.next(), here.next()) {
             (None, _) => Visible::Nothing,
-            (Some((window, primitive)), None) if window.holds_stretch(span) => {
+            (Some((window, primitive)), None) if window.contains_span(span) => {
                 Visible::One(primitive)
             }
             _ => Visible::Several,

@@ -23,7 +23,7 @@ const SCENES: u64 = 120;
 
 fn scene(text: &str) -> Scene {
     let read = read_bytes("random", text.into(), "".into(), &Options::default());
-    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.problems));
+    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.diagnostics));
     reading.scene
 }
 
@@ -167,7 +167,7 @@ fn shares(
     seen.map(share).collect()
 }
 
-/// Places anywhere and lamps, along the axes too.
+/// SamplePositions anywhere and lamps, along the axes too.
 #[test]
 fn places_get_the_same_shares_of_lamps() {
     let wrong = (0..24u64).into_par_iter().filter(|seed| {

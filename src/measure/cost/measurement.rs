@@ -47,7 +47,7 @@ pub struct Measurement {
     /// Label of a step at least as accurate and as fast, and better in one of them; `None` on the
     /// Pareto front.
     pub dominated_by: Option<String>,
-    /// Places of the errors of each setting that is varied.
+    /// SamplePositions of the errors of each setting that is varied.
     #[serde(skip)]
     pub(super) breakdowns: Vec<Breakdown>,
     /// Picture and errors, if they were asked for.
@@ -144,7 +144,7 @@ impl Truth {
                 None => step.settings,
             };
             let (film, _) = draw(scene, settings)?;
-            best.push((kind.word, film.shown(settings.transfer)));
+            best.push((kind.word, film.displayed(settings.transfer)));
         }
         Ok(Self {
             reference,
@@ -171,7 +171,7 @@ pub(super) fn compared(
     let film = if step.is_as_written() {
         written(&film, step.settings)
     } else {
-        film.shown(step.settings.transfer)
+        film.displayed(step.settings.transfer)
     };
     let reference = &truth.reference;
     let (deviation, pictures) = rayon::join(

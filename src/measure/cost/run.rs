@@ -32,7 +32,7 @@ pub struct Cost {
     pub steps: Vec<Measurement>,
     /// Relation of error and time, for each setting.
     pub laws: Vec<Law>,
-    /// Places of errors in the picture, for each setting at its worst.
+    /// SamplePositions of errors in the picture, for each setting at its worst.
     pub breakdowns: Vec<Breakdown>,
     /// The recommended step.
     pub recommended: Best,

@@ -12,7 +12,7 @@ const ERROR_AND_TIME: &str = "Error and time of each setting; \
     own error: RMSE against the picture with only that setting at its best";
 
 /// Title of the places of errors.
-const PLACES: &str = "Places of the errors of each setting at its worst; \
+const PLACES: &str = "SamplePositions of the errors of each setting at its worst; \
     shares of the squared error (and of the pixels)";
 
 impl Cost {
@@ -141,7 +141,7 @@ impl Law {
 }
 
 impl Breakdown {
-    /// Places of the error after the setting and its value.
+    /// SamplePositions of the error after the setting and its value.
     fn words(&self) -> String {
         let shares = self.features.iter().filter(|share| share.error >= 0.01);
         let shares = shares.take(3).map(|share| {

@@ -1,4 +1,4 @@
-//! Which language a text is written in.
+//! Recognition of the course's block grammar.
 
 /// Attributes and entities that only the course's scenes have.
 const COURSE_WORDS: &[&str] = &[
@@ -18,12 +18,12 @@ const COURSE_WORDS: &[&str] = &[
     "filename",
 ];
 
-/// Nodes that every scene in KDL has, at least one of them.
+/// Nodes of which each KDL scene has at least one.
 const KDL_WORDS: &[&str] = &["image", "include"];
 
-/// Whether a text is written in the block grammar.
+/// True if a text is written in the block grammar.
 ///
-/// Only words that begin a statement count: those after a line's start, a brace or a semicolon.
+/// It depends on words that begin a statement: after the start of a line, a brace or a semicolon.
 pub(in crate::read) fn looks_like(text: &str) -> bool {
     let words = words(text);
     let begins_with = |known: &[&str], [word, next, _]: [&str; 3]| {
@@ -43,7 +43,7 @@ pub(in crate::read) fn looks_like(text: &str) -> bool {
     })
 }
 
-/// The first three words of every statement, empty where there are fewer.
+/// The first three words of each statement, empty if there are fewer.
 fn statements<'a>(words: &'a [Word<'a>]) -> impl Iterator<Item = [&'a str; 3]> {
     words
         .iter()
@@ -62,11 +62,11 @@ fn statements<'a>(words: &'a [Word<'a>]) -> impl Iterator<Item = [&'a str; 3]> {
         })
 }
 
-/// A word, a brace, or a mark that stands for a string.
+/// A word, a brace, or a quote in place of a string.
 #[derive(Debug, Clone, Copy)]
 struct Word<'a> {
     text: &'a str,
-    /// Whether it is the first of a statement in KDL.
+    /// True if it begins a statement of KDL.
     begins: bool,
 }
 
@@ -81,7 +81,7 @@ impl Word<'_> {
     };
 }
 
-/// The words of a text, without KDL's comments and what stands in quotes.
+/// The words of a text, without KDL comments and the contents of strings.
 fn words(text: &str) -> Vec<Word<'_>> {
     let mut words = Vec::new();
     let (mut rest, mut begins) = (text, true);

@@ -16,7 +16,7 @@ use support::random::Random;
 /// Rays for each scene.
 const EACH: u64 = 40;
 
-/// Places of the lamp for each ray.
+/// SamplePositions of the lamp for each ray.
 const PLACES: u64 = 4;
 
 #[test]

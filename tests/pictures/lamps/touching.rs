@@ -114,7 +114,7 @@ fn of_things_that_overlap_a_lamp_all_is_asked() {
 fn scene(text: &str) -> Scene {
     let reading = read_bytes("touching", text.into(), "".into(), &Options::default());
     reading
-        .unwrap_or_else(|no| panic!("{:#?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:#?}", no.diagnostics))
         .scene
 }
 

@@ -5,7 +5,7 @@ use crate::scenes::{Writer, triple};
 
 /// The text of a scene: a function of its number alone.
 ///
-/// Places are often whole numbers, so that things touch and lie in one plane.
+/// SamplePositions are often whole numbers, so that things touch and lie in one plane.
 #[must_use]
 pub fn scene(seed: u64) -> String {
     let mut random = Random::of(0x1a3b5, seed);
