@@ -21,7 +21,7 @@ pub(super) struct Report {
     by_filter: u64,
     /// Signs that were computed exactly; a test may need several.
     exactly: u64,
-    /// Signs that are exactly zero, so that a rule decided.
+    /// Exact ties, and origins within rounding of a plane, which rules decide.
     by_rule: u64,
     shared_planes: usize,
     shared_lines: usize,
@@ -110,7 +110,7 @@ impl Report {
         writeln!(
             out,
             "  tests              {}, at least {} decided in floating point with proven bounds\n  \
-             exact decisions    {} signs computed exactly, {} ties decided by rule\n  \
+             exact decisions    {} signs computed exactly, {} decided by rule\n  \
              shared geometry    {}, {}, at most {} apart in the file\n  \
              hit error          {}\n  \
              bounced hit error  {}",
@@ -121,11 +121,11 @@ impl Report {
             counted(self.shared_planes, "plane"),
             counted(self.shared_lines, "line"),
             Short(self.largest_shared_distance),
-            bound(self.largest_error, "at most ", " (camera rays)"),
+            bound(self.largest_error, "at most ", ""),
             bound(
                 self.largest_bounced_error,
                 "about ",
-                " (an estimate; mirrored and transmitted rays)"
+                " (an estimate; after mirrors and refraction)"
             ),
         )
     }

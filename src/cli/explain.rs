@@ -88,9 +88,9 @@ fn answer(options: &Options, reading: &Reading, messages: &Messages) -> Result<S
     if let Some(prices) = prices {
         let runs = match prices.runs {
             1 => "one run".to_owned(),
-            runs => format!("median of {runs} runs ± median absolute deviation"),
+            runs => format!("medians of {runs} runs ± median absolute deviation"),
         };
-        text += &format!("\nprices (processor time of one thread; {runs})\n{prices}");
+        text += &format!("\nprices ({runs})\n{prices}");
     }
     Ok(text)
 }

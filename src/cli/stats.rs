@@ -27,7 +27,7 @@ pub(super) fn lines(counts: &Counts, by_light: &[LightTests]) -> String {
     let decisions = [
         ("texel fetches", counts.texel_fetches),
         ("signs computed exactly", counts.decisions.exactly),
-        ("ties decided by rule", counts.decisions.by_rule),
+        ("signs decided by rule", counts.decisions.by_rule),
     ];
     let line = |(what, count): (&str, u64)| line(what, count);
     let mut text = rays.map(line).concat();

@@ -26,9 +26,9 @@ fn a_certificate_says_how_hits_were_decided() {
         // Fifteen rays, each near one tile or both; the middle column of three meets the joint, and
         // there each tile asks.
         "  tests              18, at least 12 decided in floating point with proven bounds\n",
-        "  exact decisions    0 signs computed exactly, 6 ties decided by rule\n",
+        "  exact decisions    0 signs computed exactly, 6 decided by rule\n",
         "  shared geometry    1 plane, 1 line, at most 0 apart in the file\n",
-        "  bounced hit error  about 0 (an estimate; mirrored and transmitted rays)\n",
+        "  bounced hit error  about 0 (an estimate; after mirrors and refraction)\n",
         "  non-finite pixels  0\n",
     ] {
         assert!(said.contains(line), "{said}");
