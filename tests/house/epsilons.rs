@@ -251,7 +251,7 @@ fn sources() -> Vec<(String, String)> {
         (with_slashes(place), text)
     });
     let sources: Vec<_> = sources
-        .filter(|(place, _)| !place.starts_with("geometry/classic/"))
+        .filter(|(place, _)| !place.contains("/classic/"))
         .collect();
     assert!(sources.len() > 40, "the sources were not found");
     sources
