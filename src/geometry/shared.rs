@@ -12,8 +12,8 @@ use crate::math::{ExactGeometry, Line};
 
 /// The largest distance between planes or lines that count as one.
 ///
-/// It is in units in the last place of the largest coordinate, for sums or products of numbers in the file. Single
-/// numbers, such as the height of a floor, must be equal.
+/// It is in units in the last place of the largest coordinate, for sums or products of numbers in
+/// the file. Single numbers, such as the height of a floor, must be equal.
 // The corners of a wall along (1, 1, 0) are irrational, so their author rounds them. A scene scaled
 // by a program has every number rounded. A smaller tolerance leaves gaps between decimals written
 // to the last digit. A larger one joins surfaces that are meant to be apart.
@@ -203,8 +203,8 @@ fn lines(plane: &[Member], geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Memb
 
 /// The ownership of a line by each border on it.
 ///
-/// Borders on one side do, and those on the other without neighbours all along. A point where tiles
-/// meet belongs to at least one of them.
+/// Borders on one side own it, as do those on the other without neighbours all along. A point where
+/// tiles meet belongs to at least one of them.
 fn owners(line: &[Member]) -> Vec<bool> {
     let places = line.iter().flat_map(|member| &member.interval);
     let sizes = places.map(|place| place.to_f64().value().abs());

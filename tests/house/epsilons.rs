@@ -191,7 +191,7 @@ fn the_document_has_all_bounds() {
 fn all_bounds_stand_in_one_file() {
     let root = repository("src");
     let mut complaints = Vec::new();
-    for (path, source) in files::sources(root.clone()) {
+    for (path, source) in files::sources(&root) {
         let place = with_slashes(path.strip_prefix(&root).expect("a path in src"));
         if place == BOUNDS {
             continue;
