@@ -14,7 +14,7 @@ pub(crate) struct Floor {
 /// Beyond so many rows of squares a pixel is taken to be grey.
 const ROWS: u32 = 4000;
 
-/// `SamplePositions` across each row of squares, between which the border of a square is taken to be straight.
+/// Places across each row of squares, between which the border of a square is taken to be straight.
 const STEPS: u32 = 64;
 
 impl Floor {
