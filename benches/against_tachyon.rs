@@ -86,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Tachyon's lights do not fade, so its colours differ; rays, surfaces and textures are the same.
 fn write_twin(folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let reading = read::read_file(Path::new(SCENE), &read::Options::default())?
-        .map_err(|scene_error| format!("{:?}", scene_error.problems))?;
+        .map_err(|scene_error| format!("{:?}", scene_error.diagnostics))?;
     let scene = reading.scene;
     let mut text = camera(&scene)?;
     for light in &scene.lights {

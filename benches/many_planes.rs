@@ -73,7 +73,7 @@ fn timed<T>(what: impl FnOnce() -> T) -> (T, f64) {
 fn load(text: String) -> Scene {
     let reading = read_bytes("planes.kdl", text.into(), "".into(), &Options::default());
     reading
-        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:?}", no.diagnostics))
         .scene
 }
 

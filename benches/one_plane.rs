@@ -31,7 +31,7 @@ const SCENE: &str = r#"
 fn main() -> Result<(), Box<dyn Error>> {
     let named = std::env::args().find_map(|argument| argument.parse().ok());
     let scene = read_bytes("floor", SCENE.into(), PathBuf::new(), &Options::default());
-    let scene = scene.map_err(|no| format!("{:?}", no.problems))?.scene;
+    let scene = scene.map_err(|no| format!("{:?}", no.diagnostics))?.scene;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let mut times = Vec::new();
     for _ in 0..named.unwrap_or(PAIRS) {

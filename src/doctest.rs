@@ -1,15 +1,16 @@
-//! What the scene examples in this crate's documentation are checked with.
+//! The check of the scene examples in this crate's documentation.
 
 use std::path::PathBuf;
 
 use crate::math::{Point, Ray, Span, unit};
 use crate::read::{Options, read_bytes};
 
-/// Reads one surface in a scene with the materials "gray" and "white" and the texture "arrow", and
-/// follows a ray to it.
+/// Reads a scene with one surface and traces a ray to it.
+///
+/// The scene has the materials "gray" and "white" and the texture "arrow".
 ///
 /// # Panics
-/// If the scene is wrong, or the ray meets the surface at another distance than expected.
+/// Panics if the scene has mistakes, or if the ray hits the surface at another distance.
 pub fn surface(text: &str, origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
     let scene = format!(
         r#"image 8 6
@@ -25,7 +26,7 @@ pub fn surface(text: &str, origin: [f64; 3], direction: [f64; 3], expected: Opti
         PathBuf::new(),
         &Options::default(),
     );
-    let reading = read.unwrap_or_else(|no| panic!("{:?}", no.problems));
+    let reading = read.unwrap_or_else(|no| panic!("{:?}", no.diagnostics));
     let ray = Ray::new(
         Point::exact(origin.into()),
         unit(direction.into()).unwrap_or_else(|| panic!("the direction is zero")),

@@ -22,26 +22,35 @@
 //!
 //! # Where to start reading
 //!
-//! [`surface::Surface`] is the heart: what the tracer asks of the boxed objects. Then
-//! [`surface::FinitePlane`], the chapter's finite plane, and [`render::Tracer`], the colour along
-//! one ray. [`scene::Scene`] is what is drawn, [`read`] makes it from text.
+//! | module or item | meaning |
+//! |---|---|
+//! | [`surface::Surface`] | the trait of all objects of a scene: a shape, a material and a cover |
+//! | [`geometry::Shape`] | the five shapes, with the exact tests of a ray against each |
+//! | [`render::Tracer`] | the colour along one ray: hit, shadow, reflection, refraction |
+//! | [`scene::Scene`] | the settings, the camera, the lights and the surfaces of a picture |
+//! | [`read`] | the way from text to a scene |
 //!
 //! # The house
 //!
-//! Modules import only from lower floors; a test keeps it so.
+//! The modules stand on ten floors. A module imports only from lower floors, and a test checks that.
 //!
 //! ```text
-//! 9  cli        arguments, messages, exit codes: one file per command
-//! 8  measure    answers about scenes and pictures
-//! 7  render     Plan -> Film: the colour along one ray
-//! 6  plan       what of a scene is simulated, and why
-//!    read       text -> Scene (KDL, the course's block grammar)
-//! 5  scene      picture, view, lights, Vec<Box<dyn Surface>>
-//! 4  light      what illuminates          accel   which surface is nearest
-//! 3  surface    what a ray can hit: one file each
-//! 2  material   how a surface answers light
-//! 1  texture    images over surfaces      film    pixels on disk      camera
-//! 0  math       rays, points, frames      language  the scene language as data
+//! 9  cli          arguments, messages and exit codes: one file per command
+//! 8  measure      measurements of scenes and pictures: cost, deviation, explanations
+//! 7  render       Plan -> Film: the colour along one ray, for every pixel
+//! 6  plan         the simulated part of a scene, and the reasons for the rest
+//!    read         text -> Scene: KDL, and the block grammar of the course
+//! 5  scene        settings, camera, lights, Vec<Box<dyn Surface>>
+//! 4  visibility   nearest hits, occluders and transmittance
+//!    light        point lights, their cones and slides
+//! 3  surface      a shape, a material and a cover: one file per cover
+//! 2  geometry     shapes, and their tests against rays: one file per shape
+//!    material     reflectivity, shininess, transparency
+//! 1  texture      images on surfaces, and their filters
+//!    film         framebuffers and image files
+//!    camera       rays through pixels
+//! 0  math         rays, points, planes, exact numbers and error bounds
+//!    language     the words of scene files, as data
 //! ```
 
 pub mod camera;
@@ -50,6 +59,7 @@ pub mod cli;
 pub mod doctest;
 pub mod film;
 pub mod geometry;
+pub mod image_file;
 pub mod language;
 pub mod light;
 pub mod material;

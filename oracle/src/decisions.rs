@@ -222,7 +222,7 @@ pub fn occlusion(random: &mut Random, tallies: &mut Tallies) {
         let light = Emitter::Point(end);
         let view = LightView::new(&list, &silhouettes, light, true, |_| true);
         let receiver = view.receiver(&list.primitives()[0]);
-        let occlusion = receiver.map(|it| it.occlusion(&hit, &segment.ray, true));
+        let occlusion = receiver.map(|it| it.occlusion(&hit, &segment.ray));
         match occlusion {
             None | Some(Occlusion::None) => Rgb::WHITE,
             Some(Occlusion::Full) => Rgb::BLACK,

@@ -1,32 +1,32 @@
-//! Where points appear.
+//! Projection of points.
 
 use glam::DVec3;
 
 use super::Camera;
 
 impl Camera {
-    /// The image of a point in homogeneous coordinates: its place in pixels from the centre of the
-    /// lower-left one, times its depth, and its depth. It is linear in the point, so a line's image
-    /// is a line, and what is behind the eye has a depth below zero.
+    /// The image of a point: raster position times depth, and depth.
+    ///
+    /// The map to these homogeneous coordinates is linear, so lines become lines. Points behind the viewpoint have a negative depth.
     #[must_use]
     pub fn image(&self, point: DVec3) -> DVec3 {
-        let way = point - self.viewpoint;
-        let depth = self.depth(way);
-        let image = way - self.lower_left * depth;
-        let along = |axis: DVec3, span: f64| {
-            image.dot(axis) / axis.length_squared() * span - self.inset * depth
+        let offset = point - self.viewpoint;
+        let depth = self.depth(offset);
+        let image = offset - self.lower_left * depth;
+        let along = |axis: DVec3, pixels: f64| {
+            image.dot(axis) / axis.length_squared() * pixels - self.inset * depth
         };
         DVec3::new(
-            along(self.right, self.span[0]),
-            along(self.up, self.span[1]),
+            along(self.right, self.pixels[0]),
+            along(self.up, self.pixels[1]),
             depth,
         )
     }
 
-    /// How far a way from the eye leads into the picture; to the window's plane it is 1.
+    /// The depth of an offset from the viewpoint; 1 in the window's plane.
     #[must_use]
-    pub fn depth(&self, way: DVec3) -> f64 {
+    pub fn depth(&self, offset: DVec3) -> f64 {
         let normal = self.right.cross(self.up);
-        way.dot(normal) / self.lower_left.dot(normal)
+        offset.dot(normal) / self.lower_left.dot(normal)
     }
 }

@@ -1,103 +1,106 @@
-//! From pixels to rays.
+//! Cameras: rays of pixels, and raster positions of points.
 
 mod image;
 mod pattern;
-mod places;
 mod raster_rect;
 mod row;
+mod samples;
 mod view;
 
 pub use pattern::Pattern;
-pub use places::{Places, Share};
 pub use raster_rect::RasterRect;
 pub use row::{PixelSpan, Row};
+pub use samples::{SampleCell, SamplePositions};
 pub use view::{View, WindowOrigin};
 
 use glam::DVec3;
 
 use crate::math::{Beam, Flat, Limits, Point, Ray, direction};
 
-/// A viewpoint and the window that it looks through, for a picture of a certain size.
+/// A viewpoint and a window in front of it, for a picture of a certain size.
+///
+/// Raster positions are in pixels from the centre of the lower-left pixel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
     viewpoint: DVec3,
     /// From the viewpoint to the window's lower-left corner.
     lower_left: DVec3,
-    /// Along the window's lower edge, whole.
+    /// The window's lower edge.
     right: DVec3,
-    /// Along the window's left edge, whole.
+    /// The window's left edge.
     up: DVec3,
-    /// How far the first pixel's centre lies inside the window's edge, in pixels.
+    /// Distance from the window's edge to the first pixel centre, in pixels.
     inset: f64,
-    /// Pixels from edge to edge.
-    span: [f64; 2],
-    /// The plane of the chapter's screen, whose normal is the z axis; hits before it are misses.
+    /// Width and height of the window in pixels.
+    pixels: [f64; 2],
+    /// The plane of the chapter's screen, with the z axis as normal.
+    ///
+    /// Hits in front of it do not count.
     screen: Option<Flat>,
 }
 
 impl Camera {
-    /// Where the camera is.
+    /// The viewpoint in world units.
     #[must_use]
     pub fn viewpoint(&self) -> DVec3 {
         self.viewpoint
     }
 
-    /// The ray through a place of the picture, counted in pixels from the centre of the
-    /// lower-left one.
+    /// The ray through a raster position.
     #[must_use]
     pub fn ray(&self, x: f64, y: f64) -> Ray<'static> {
-        Ray::new(Point::exact(self.viewpoint), direction(self.way(x, y)))
+        Ray::new(
+            Point::exact(self.viewpoint),
+            direction(self.to_window(x, y)),
+        )
     }
 
-    /// The rays around that one through a rectangle with these sides in pixels.
+    /// The rays through a rectangle around a raster position, with its sides in pixels.
     #[must_use]
     pub fn beam(&self, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> Beam {
-        let [right, up] = [self.right / self.span[0], self.up / self.span[1]];
-        let way = self.way(x, y);
+        let [right, up] = [self.right / self.pixels[0], self.up / self.pixels[1]];
         Beam::new(
             Point::exact(self.viewpoint),
-            way,
+            self.to_window(x, y),
             [right * width, up * height],
         )
     }
 
-    /// From the viewpoint to a place in the window.
+    /// The vector from the viewpoint to a raster position in the window.
     #[inline(always)]
-    fn way(&self, x: f64, y: f64) -> DVec3 {
-        self.way_across(x) + self.upward(y)
+    fn to_window(&self, x: f64, y: f64) -> DVec3 {
+        self.to_lower_edge(x) + self.above_lower_edge(y)
     }
 
-    /// From the viewpoint to a place on the window's lower edge.
+    /// The vector from the viewpoint to the window's lower edge.
     #[inline(always)]
-    fn way_across(&self, x: f64) -> DVec3 {
-        self.lower_left + self.right * ((x + self.inset) / self.span[0])
+    fn to_lower_edge(&self, x: f64) -> DVec3 {
+        self.lower_left + self.right * ((x + self.inset) / self.pixels[0])
     }
 
-    /// From the window's lower edge to a row.
+    /// The vector from the window's lower edge to a row.
     #[inline(always)]
-    fn upward(&self, y: f64) -> DVec3 {
-        self.up * ((y + self.inset) / self.span[1])
+    fn above_lower_edge(&self, y: f64) -> DVec3 {
+        self.up * ((y + self.inset) / self.pixels[1])
     }
 
-    /// The distances at which a ray can meet a surface.
-    ///
-    /// Behind the chapter's screen everything counts, on the viewer's side nothing does.
+    /// The distances along a ray that count: those behind the chapter's screen.
     #[must_use]
     #[inline]
-    pub fn span(&self, ray: &Ray) -> Limits<'_> {
+    pub fn limits(&self, ray: &Ray) -> Limits<'_> {
         match &self.screen {
             Some(screen) => Limits::below(screen, ray),
             None => Limits::AHEAD,
         }
     }
 
-    /// The plane of the chapter's screen, before which nothing counts, if it looks through one.
+    /// The plane of the chapter's screen, if the camera has one.
     #[must_use]
     pub fn screen(&self) -> Option<&Flat> {
         self.screen.as_ref()
     }
 
-    /// The directions from the viewpoint through the window's corners.
+    /// The vectors from the viewpoint to the window's corners.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 4] {
         let corner = self.lower_left;

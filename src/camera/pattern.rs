@@ -1,25 +1,26 @@
-//! The patterns in which rays go through pixels.
+//! Sample patterns.
 
 use crate::language::words;
 
-/// How the rays through a pixel are spread over it.
+/// The distribution of the rays of a pixel.
 ///
-/// Where the border of a thing crosses a pixel, the error of `N` rays falls as `N^-0.5` if they are
-/// drawn at random, and as `N^-0.75` if they are spread evenly (Mitchell 1996, "Consequences of
-/// stratified sampling in graphics").
+/// On a border that crosses a pixel, the error of `N` rays falls as `N^-0.5` for random rays, and as
+/// `N^-0.75` for stratified ones (Mitchell 1996, "Consequences of stratified sampling in
+/// graphics").
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pattern {
-    /// One ray, through the centre.
+    /// One ray through the centre.
     Center,
-    /// Through the centre of each of as many cells as there are rays.
+    /// A ray through the centre of each cell of a grid.
     Grid,
-    /// Through a place drawn in each of the cells.
+    /// A ray through a random position in each cell of a grid.
     #[default]
     Stratified,
-    /// A Sobol sequence, scrambled for each pixel (Owen 1995): of any power of two of its places
-    /// one lies in each cell, however the pixel is cut into as many equal ones.
+    /// A Sobol sequence with Owen scrambling for each pixel (Owen 1995).
+    ///
+    /// A power of two of its positions has one in each cell of every grid of as many equal cells.
     Sobol,
-    /// Anywhere; for comparison.
+    /// Rays through random positions, for comparison.
     Random,
 }
 

@@ -1,12 +1,11 @@
-//! Where in a picture something can appear.
+//! Raster rectangles, and the raster bounds of points.
 
 use glam::DVec3;
 
 use super::{Camera, PixelSpan};
-use crate::math::UNIT;
+use crate::math::error_bounds::IMAGE;
 
-/// A part of a picture, in pixels from the centre of the lower-left one: nothing outside of it can
-/// show what it was made for.
+/// A rectangle of raster positions that contains the image of an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RasterRect {
     low: [f64; 2],
@@ -14,35 +13,34 @@ pub struct RasterRect {
 }
 
 impl RasterRect {
-    /// The whole picture and beyond.
+    /// All raster positions.
     pub const EVERYWHERE: Self = Self {
         low: [f64::MIN; 2],
         high: [f64::MAX; 2],
     };
 
-    /// Whether some place of a picture of this width and height lies inside, up to half a pixel
-    /// beyond the centres of the outermost.
+    /// True if it overlaps a picture of a size, or a border of one pixel around it.
     #[must_use]
-    pub fn meets(&self, size: [u32; 2]) -> bool {
+    pub fn overlaps_picture(&self, size: [u32; 2]) -> bool {
         let mut axes = self.low.iter().zip(&self.high).zip(size);
         axes.all(|((low, high), pixels)| *low <= f64::from(pixels) && *high >= -1.0)
     }
 
-    /// Whether some place of a stretch lies inside.
+    /// True if it overlaps the line through the pixel centres of a span.
     #[must_use]
-    pub fn meets_stretch(&self, stretch: &PixelSpan<'_>) -> bool {
-        let (y, [first, last]) = (stretch.row.y, stretch.ends());
+    pub fn overlaps_span(&self, span: &PixelSpan<'_>) -> bool {
+        let (y, [first, last]) = (span.row.y, span.ends());
         y >= self.low[1] && y <= self.high[1] && first <= self.high[0] && last >= self.low[0]
     }
 
-    /// Whether all places of a stretch lie inside.
+    /// True if it contains all pixel centres of a span.
     #[must_use]
-    pub fn holds_stretch(&self, stretch: &PixelSpan<'_>) -> bool {
-        let mut ends = stretch.ends().into_iter();
-        ends.all(|x| self.contains(x, stretch.row.y))
+    pub fn contains_span(&self, span: &PixelSpan<'_>) -> bool {
+        let mut ends = span.ends().into_iter();
+        ends.all(|x| self.contains(x, span.row.y))
     }
 
-    /// Whether a place lies inside.
+    /// True if it contains a raster position.
     #[must_use]
     #[inline(always)]
     pub fn contains(&self, x: f64, y: f64) -> bool {
@@ -51,56 +49,53 @@ impl RasterRect {
 }
 
 impl Camera {
-    /// The part of the picture in which the convex hull of some points can appear, which may be `astray` by
-    /// so much: their images and a pixel more on every side, which is far more than rounding can move them.
-    /// `None` if all of them are behind the eye.
+    /// The raster rectangle of the convex hull of points with an error bound.
+    ///
+    /// It is one pixel larger on each side. `None` if all points are behind the viewpoint.
     #[must_use]
-    pub fn window(
+    pub fn raster_bounds(
         &self,
         points: impl IntoIterator<Item = DVec3>,
-        astray: f64,
+        error: f64,
     ) -> Option<RasterRect> {
-        // The window's plane: at depth 1 its lower-left corner is where the camera says.
-        let normal = self.right.cross(self.up);
-        let unit_depth = self.lower_left.dot(normal);
-        let (mut behind, mut before) = (true, true);
-        let mut window = RasterRect {
+        let (mut all_behind, mut all_in_front) = (true, true);
+        let mut bounds = RasterRect {
             low: [f64::MAX; 2],
             high: [f64::MIN; 2],
         };
         for point in points {
-            let way = point - self.viewpoint;
-            let depth = way.dot(normal) / unit_depth;
-            // What rounding the point and the eye can do to the image.
-            let size = (point.abs() + self.viewpoint.abs()).element_sum() + way.length();
-            let blur = (64.0 * UNIT * size + astray) * self.stretch() / depth.abs();
-            if blur.is_nan() || blur > 0.25 {
+            let offset = point - self.viewpoint;
+            let depth = self.depth(offset);
+            // The error of the raster position in pixels; the extra pixel must be much larger.
+            let size = (point.abs() + self.viewpoint.abs()).element_sum() + offset.length();
+            let image_error = (IMAGE * size + error) * self.pixels_per_unit() / depth.abs();
+            if image_error.is_nan() || image_error > 0.25 {
                 return Some(RasterRect::EVERYWHERE);
             }
-            behind &= depth < 0.0;
-            before &= depth > 0.0;
-            let image = way / depth - self.lower_left;
-            let places = [self.right, self.up].map(|axis| image.dot(axis) / axis.length_squared());
-            for (axis, place) in places.into_iter().enumerate() {
-                let pixel = place * self.span[axis] - self.inset;
-                window.low[axis] = window.low[axis].min(pixel - 1.0);
-                window.high[axis] = window.high[axis].max(pixel + 1.0);
+            all_behind &= depth < 0.0;
+            all_in_front &= depth > 0.0;
+            let image = offset / depth - self.lower_left;
+            for (axis, edge) in [self.right, self.up].into_iter().enumerate() {
+                let along = image.dot(edge) / edge.length_squared();
+                let pixel = along * self.pixels[axis] - self.inset;
+                bounds.low[axis] = bounds.low[axis].min(pixel - 1.0);
+                bounds.high[axis] = bounds.high[axis].max(pixel + 1.0);
             }
         }
-        if behind {
+        if all_behind {
             None
-        } else if before {
-            Some(window)
+        } else if all_in_front {
+            Some(bounds)
         } else {
             Some(RasterRect::EVERYWHERE)
         }
     }
 
-    /// By how many pixels an image moves at most when a place at depth 1 moves by one unit.
-    fn stretch(&self) -> f64 {
-        let along = |axis: DVec3, span: f64| span / axis.length();
+    /// Bound of an image's movement in pixels per unit of movement at depth 1.
+    fn pixels_per_unit(&self) -> f64 {
+        let along = |axis: DVec3, pixels: f64| pixels / axis.length();
         let reach = self.lower_left.length() + self.right.length() + self.up.length();
         let tilt = reach / (self.lower_left.dot(self.right.cross(self.up).normalize())).abs();
-        along(self.right, self.span[0]).max(along(self.up, self.span[1])) * (1.0 + tilt)
+        along(self.right, self.pixels[0]).max(along(self.up, self.pixels[1])) * (1.0 + tilt)
     }
 }

@@ -1,4 +1,4 @@
-//! The camera as a scene gives it, before the picture's size is known.
+//! The camera of a scene, before the size of the picture is known.
 
 use glam::{DVec2, DVec3};
 
@@ -8,36 +8,39 @@ use crate::language::{
 };
 use crate::math::{Flat, unit};
 
-/// A viewpoint and what it looks at.
+/// The `camera` of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub enum View {
     /// The chapter's camera: a window in a plane across the z axis.
     ///
-    /// Edge pixels lie exactly on the window's edges, and hits on the viewer's side are misses.
+    /// The centres of edge pixels lie on the window's edges. Hits in front of the window do not
+    /// count.
     Screen {
-        /// Where the eye is; its z is above the window's.
+        /// The viewpoint, with a z above the window's.
         viewpoint: DVec3,
         /// The window's width and height in world units.
         size: DVec2,
-        /// The point of the window that stands at `at`.
+        /// The point of the window that lies at `at`.
         origin: WindowOrigin,
-        /// Where that point stands; in the chapter at the world's origin.
+        /// The position of that point; the world's origin in the chapter.
         at: DVec3,
     },
-    /// A camera that is aimed. Pixel centres lie half a pixel inside the window.
+    /// A camera that looks at a point.
+    ///
+    /// Pixel centres lie half a pixel inside the window.
     LookAt {
-        /// Where the eye is.
+        /// The viewpoint.
         viewpoint: DVec3,
         /// The point in the middle of the picture.
         target: DVec3,
-        /// What is up in the picture; any direction but the one of view.
+        /// The upward direction; not parallel to the direction of view.
         up: DVec3,
         /// The vertical angle of view in degrees.
         field_of_view: f64,
     },
 }
 
-/// The point of the chapter's window that its place is told by.
+/// The reference point of the chapter's window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum WindowOrigin {
     /// The lower-left corner.
@@ -56,32 +59,30 @@ impl View {
     /// The `camera` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "camera",
-        about: "Where the picture is taken from; with either `screen` or `look-at`.",
+        about: "The viewpoint, with either `screen` or `look-at`.",
         naming: Naming::None,
         value: None,
         properties: &[],
         attributes: &[&[
-            Attribute::new("viewpoint", Takes::Triple, "where the eye is").unit("world units"),
+            Attribute::new("viewpoint", Takes::Triple, "position of the eye").unit("world units"),
             Attribute::new(
                 "screen",
                 Takes::Pair(Range::Positive),
-                "width and height of the chapter's window, in the plane z = 0 if not moved",
+                "width and height of the chapter's window, in the plane z = 0 unless moved",
             )
             .unit("world units")
             .optional()
-            .with(&[Attribute {
-                word: "origin",
-                takes: Takes::Word(&WindowOrigin::WORDS),
-                unit: "",
-                default: Default::Word(WindowOrigin::Corner.word()),
-                properties: &[],
-                about: "the window's point at `screen-at`: its lower-left corner or centre",
-            }]),
+            .with(&[Attribute::new(
+                "origin",
+                Takes::Word(&WindowOrigin::WORDS),
+                "the window's point at `screen-at`: its lower-left corner or centre",
+            )
+            .or(Default::Word(WindowOrigin::Corner.word()))]),
             Attribute::new(
                 "screen-at",
                 Takes::Triple,
-                "where the point of the window stands that `origin` names; the screen then lies in \
-                 the plane z = Z and hits on the viewer's side of it are misses",
+                "position of the window's `origin`; the screen lies in the plane z = Z, and hits \
+                 on the viewer's side of it are misses",
             )
             .unit("world units")
             .or(Default::Triple([0.0; 3])),
@@ -95,7 +96,7 @@ impl View {
             Attribute::new(
                 "up",
                 Takes::Triple,
-                "what is up in the picture, with `look-at`",
+                "upward direction of the picture, with `look-at`",
             )
             .or(Default::Triple([0.0, 1.0, 0.0])),
             Attribute::new(
@@ -108,22 +109,17 @@ impl View {
         ]],
     };
 
-    /// The view that a `camera` node gives.
+    /// The view of a `camera` node.
     ///
     /// # Errors
-    /// Refuses a camera with both or neither of `screen` and `look-at`, what belongs to the other
-    /// of them, and impossible directions.
+    /// Returns an error if the node has both or neither of `screen` and `look-at`, an attribute of
+    /// the other, or values without a camera.
     pub fn from_node(node: &Node) -> Result<Self, ValueError> {
         let viewpoint = node.triple("viewpoint");
         let view = match (node.entry("screen"), node.entry("look-at")) {
             (Some(screen), None) => {
                 let advice = "remove it, or aim the camera with `look-at` instead of `screen`";
-                refuse_stray(
-                    node,
-                    &["up", "field-of-view"],
-                    ["screen", "look-at"],
-                    advice,
-                )?;
+                check_absent(node, &["up", "field-of-view"], "look-at", advice)?;
                 let origin = screen.property("origin");
                 Self::Screen {
                     viewpoint,
@@ -136,7 +132,7 @@ impl View {
             }
             (None, Some(_)) => {
                 let advice = "remove it, or give `screen` instead of `look-at`";
-                refuse_stray(node, &["screen-at"], ["look-at", "screen"], advice)?;
+                check_absent(node, &["screen-at"], "screen", advice)?;
                 Self::LookAt {
                     viewpoint,
                     target: node.triple("look-at"),
@@ -164,7 +160,7 @@ impl View {
         view.camera(1, 1).map(|_| view)
     }
 
-    /// Where the eye is.
+    /// The position of the eye in world units.
     #[must_use]
     pub fn viewpoint(&self) -> DVec3 {
         match self {
@@ -172,12 +168,13 @@ impl View {
         }
     }
 
-    /// The camera for a picture of this size.
+    /// The camera for a picture of a width and a height in pixels.
     ///
     /// # Errors
-    /// Refuses an eye behind the screen or at its target, and an `up` along the view.
+    /// Returns an error if the viewpoint is not in front of the screen or is the target, or if `up`
+    /// is parallel to the view.
     pub fn camera(&self, width: u32, height: u32) -> Result<Camera, ValueError> {
-        let pixels = [width, height].map(f64::from);
+        let [width, height] = [width, height].map(f64::from);
         match *self {
             Self::Screen {
                 viewpoint,
@@ -185,24 +182,73 @@ impl View {
                 origin,
                 at,
             } => {
-                let corner = match origin {
+                if viewpoint.z <= at.z {
+                    let z = Value::Number(at.z);
+                    return Err(ValueError::new(
+                        "viewpoint",
+                        "the viewpoint is not in front of the screen",
+                        format!(
+                            "the screen lies in the plane z = {z}; give the viewpoint a z above {z}"
+                        ),
+                    )
+                    .expected(format!("expected a z above {z}")));
+                }
+                let to_corner = match origin {
                     WindowOrigin::Corner => DVec3::ZERO,
                     WindowOrigin::Center => -0.5 * size.extend(0.0),
                 };
-                through_screen(viewpoint, [at, corner], size, pixels)
+                Ok(Camera {
+                    viewpoint,
+                    // The difference of scene points comes first: it does not depend on the origin.
+                    lower_left: (at - viewpoint) + to_corner,
+                    right: DVec3::X * size.x,
+                    up: DVec3::Y * size.y,
+                    inset: 0.0,
+                    // A picture one pixel wide shows the window's left edge.
+                    pixels: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
+                    screen: Some(Flat::with_unit_normal(at, DVec3::Z)),
+                })
             }
             Self::LookAt {
                 viewpoint,
                 target,
                 up,
                 field_of_view,
-            } => looking_at(viewpoint, [target, up], field_of_view, pixels),
+            } => {
+                let ahead = unit(target - viewpoint).ok_or_else(|| {
+                    ValueError::new(
+                        "look-at",
+                        "the camera looks at its own viewpoint",
+                        "give `look-at` another point",
+                    )
+                    .expected("expected another point than `viewpoint`")
+                })?;
+                let across = unit(up).and_then(|up| unit(ahead.cross(up)));
+                let across = across.ok_or_else(|| {
+                    ValueError::new(
+                        "up",
+                        "`up` is zero or parallel to the direction of view",
+                        "`up` is the upward direction of the picture, such as 0 1 0",
+                    )
+                    .expected("expected a direction across the view")
+                })?;
+                let half_height = libm::tan(field_of_view.to_radians() / 2.0);
+                let right = across * (2.0 * half_height * (width / height));
+                let up = across.cross(ahead) * (2.0 * half_height);
+                Ok(Camera {
+                    viewpoint,
+                    lower_left: ahead - right * 0.5 - up * 0.5,
+                    right,
+                    up,
+                    inset: 0.5,
+                    pixels: [width, height],
+                    screen: None,
+                })
+            }
         }
     }
 
-    /// The world size of one pixel of the chapter's screen: its size divided by the pixels.
-    ///
-    /// `None` for a camera without a screen.
+    /// The world size of a pixel of the chapter's screen, if the camera has one.
     #[must_use]
     pub fn pixel_size(&self, width: u32, height: u32) -> Option<DVec2> {
         match self {
@@ -216,28 +262,21 @@ impl View {
     /// The view as a node of the scene language.
     #[must_use]
     pub fn describe(&self) -> Node {
-        let node = Node::new(&Self::SCHEMA, None);
+        let node = Node::new(&Self::SCHEMA, None).with("viewpoint", self.viewpoint());
         match self {
             Self::Screen {
-                viewpoint,
-                size,
-                origin,
-                at,
-            } => node
-                .with("viewpoint", *viewpoint)
-                .with_entry(
-                    "screen",
-                    Some((*size).into()),
-                    &[("origin", origin.word().into())],
-                )
-                .with("screen-at", *at),
+                size, origin, at, ..
+            } => {
+                let origin = [("origin", origin.word().into())];
+                node.with_entry("screen", Some((*size).into()), &origin)
+                    .with("screen-at", *at)
+            }
             Self::LookAt {
-                viewpoint,
                 target,
                 up,
                 field_of_view,
+                ..
             } => node
-                .with("viewpoint", *viewpoint)
                 .with("look-at", *target)
                 .with("up", *up)
                 .with("field-of-view", *field_of_view),
@@ -245,86 +284,18 @@ impl View {
     }
 }
 
-/// The camera behind a window of this size, whose lower-left corner is at a point of the scene and a
-/// way from there.
-fn through_screen(
-    viewpoint: DVec3,
-    [at, to_corner]: [DVec3; 2],
-    size: DVec2,
-    [width, height]: [f64; 2],
-) -> Result<Camera, ValueError> {
-    if viewpoint.z <= at.z {
-        let z = Value::Number(at.z);
-        return Err(ValueError::new(
-            "viewpoint",
-            "the viewpoint is not in front of the screen",
-            format!("the screen lies in the plane z = {z}; give the viewpoint a z above {z}"),
-        )
-        .expected(format!("expected a z above {z}")));
-    }
-    Ok(Camera {
-        viewpoint,
-        // Scene points are subtracted first, so that only their distance counts.
-        lower_left: (at - viewpoint) + to_corner,
-        right: DVec3::X * size.x,
-        up: DVec3::Y * size.y,
-        inset: 0.0,
-        // A picture one pixel wide looks along the window's left edge.
-        span: [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
-        screen: Some(Flat::with_unit_normal(at, DVec3::Z)),
-    })
-}
-
-/// The camera that looks at a point, with a vertical angle of view in degrees.
-fn looking_at(
-    viewpoint: DVec3,
-    [target, up]: [DVec3; 2],
-    field_of_view: f64,
-    [width, height]: [f64; 2],
-) -> Result<Camera, ValueError> {
-    let ahead = unit(target - viewpoint).ok_or_else(|| {
-        ValueError::new(
-            "look-at",
-            "the camera looks at its own viewpoint",
-            "give `look-at` another point",
-        )
-        .expected("expected another point than `viewpoint`")
-    })?;
-    let across = unit(up).and_then(|up| unit(ahead.cross(up)));
-    let across = across.ok_or_else(|| {
-        ValueError::new(
-            "up",
-            "`up` is zero or points along the direction of view",
-            "`up` is what is up in the picture, such as 0 1 0",
-        )
-        .expected("expected a direction across the view")
-    })?;
-    let half_height = libm::tan(field_of_view.to_radians() / 2.0);
-    let right = across * (2.0 * half_height * (width / height));
-    let upward = across.cross(ahead) * (2.0 * half_height);
-    Ok(Camera {
-        viewpoint,
-        lower_left: ahead - right * 0.5 - upward * 0.5,
-        right,
-        up: upward,
-        inset: 0.5,
-        span: [width, height],
-        screen: None,
-    })
-}
-
-/// Refuses attributes that mean nothing to a camera with `has`, only to one with `other`.
-fn refuse_stray(
+/// Checks that a camera without `owner` has no attributes that need it.
+fn check_absent(
     node: &Node,
     words: &[&'static str],
-    [has, other]: [&str; 2],
+    owner: &str,
     advice: &str,
 ) -> Result<(), ValueError> {
     let mut words = words.iter();
-    let Some(stray) = words.find(|word| node.entry(word).is_some()) else {
+    let Some(word) = words.find(|word| node.entry(word).is_some()) else {
         return Ok(());
     };
-    let reason = format!("`{stray}` means nothing to a camera with `{has}`");
-    let expected = format!("expected only with `{other}`");
-    Err(ValueError::new(stray, reason, advice).expected(expected))
+    let reason = format!("`{word}` has no effect without `{owner}`");
+    let expected = format!("expected only with `{owner}`");
+    Err(ValueError::new(word, reason, advice).expected(expected))
 }

@@ -1,27 +1,26 @@
-//! Which formats the command line leaves possible for a picture.
+//! Formats that the command line leaves possible for a picture.
 
 use std::path::Path;
 
+use super::error::CommandError;
 use crate::film::{BitDepth, Format};
 
-/// What the command line asks of all pictures.
+/// Part of the command line that decides where pictures go and in which format.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Asked<'a> {
     /// The file, the folder, or the name with `{stem}`.
     pub(super) pattern: Option<&'a str>,
-    /// The kind of picture.
     pub(super) format: Option<Format>,
-    /// What its numbers are kept in.
     pub(super) depth: Option<BitDepth>,
 }
 
 impl Asked<'_> {
-    /// The formats that are as asked for, and as the ending of a file's name says, which has to say it if
-    /// nothing else does; one at least.
+    /// The formats, at least one, that agree with the options and with the ending of a file's name.
     ///
     /// # Errors
-    /// Tells what contradicts what, or that a name says nothing.
-    pub(super) fn formats(&self, path: Option<&Path>) -> Result<Vec<Format>, String> {
+    /// Refuses options that contradict each other or the name, and a name that leaves the format
+    /// open.
+    pub(super) fn formats(&self, path: Option<&Path>) -> Result<Vec<Format>, CommandError> {
         let extension = path.and_then(|path| path.extension()?.to_str());
         let ends = |format: &Format| {
             extension.is_some_and(|it| it.eq_ignore_ascii_case(format.extension()))
@@ -35,41 +34,41 @@ impl Asked<'_> {
         if let Some(format) = self.format {
             if !formats.contains(&format) {
                 let extension = format.extension();
-                return Err(format!(
-                    "--format asks for a .{extension} file, but the output is {name}"
-                ));
+                let reason =
+                    format!("--format needs a .{extension} file, but the output is {name}");
+                return Err(CommandError::usage(reason));
             }
             formats = vec![format];
         } else if path.is_some() && !is_named {
-            return Err(format!(
-                "the ending of {name:?} names no picture format; end it with .png, .ppm or .pfm, or \
-                 give --format"
-            ));
+            return Err(CommandError::usage(format!(
+                "the ending of {name:?} names no picture format; use .png, .ppm or .pfm, or give \
+                 --format"
+            )));
         }
         let Some(depth) = self.depth else {
             return Ok(formats);
         };
         formats.retain(|format| format.depth() == depth);
         if formats.is_empty() {
-            return Err(self.contradiction(depth, &name));
+            return Err(CommandError::usage(self.contradiction(depth, &name)));
         }
         Ok(formats)
     }
 
-    /// Why a format or a name does not go with a depth.
+    /// The contradiction between a depth and the format or the name.
     fn contradiction(&self, depth: BitDepth, name: &str) -> String {
         let word = depth.word();
         if let Some(format) = self.format {
             let other = format.depth().word();
             return format!(
-                "--depth {word} contradicts --format, which asks for a depth of {other}; leave one \
-                 of them out"
+                "--depth {word} contradicts --format, which has a depth of {other}; leave one of \
+                 them out"
             );
         }
         let fitting = Format::ALL.iter().filter(|format| format.depth() == depth);
         let endings: Vec<_> = fitting.map(|it| format!(".{}", it.extension())).collect();
         format!(
-            "{name} cannot have a depth of {word}; end it with {}, or ask for another --depth",
+            "{name} cannot have a depth of {word}; use the ending {}, or another --depth",
             endings.join(" or ")
         )
     }

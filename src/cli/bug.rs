@@ -1,4 +1,4 @@
-//! What happens if the program has a bug.
+//! Reports of bugs in the program.
 
 use std::backtrace::Backtrace;
 use std::io::Write;
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use super::Status;
 
-/// From now on a panic is explained, and reported in a file.
+/// Explains panics from now on, and saves a report of each.
 pub(super) fn report_panics() {
     panic::set_hook(Box::new(|panic| {
         let report = format!(
@@ -16,7 +16,7 @@ pub(super) fn report_panics() {
             std::env::args().collect::<Vec<_>>(),
             Backtrace::force_capture(),
         );
-        // With standard error closed there is nobody to tell.
+        // If standard error is closed, there is no place for a message.
         let mut err = std::io::stderr().lock();
         let _ = writeln!(
             err,
@@ -25,14 +25,14 @@ pub(super) fn report_panics() {
         if let Some(path) = save(&report) {
             let _ = writeln!(
                 err,
-                "A report that helps to mend it is in {}",
+                "A report that helps to fix it is in {}",
                 path.display()
             );
         }
     }));
 }
 
-/// Runs a command; a panic ends it with its own exit code.
+/// Runs a command; a panic ends it with an exit code of its own.
 pub(super) fn guard(command: impl FnOnce() -> Status) -> Status {
     panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Status::Bug)
 }

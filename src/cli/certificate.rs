@@ -1,4 +1,4 @@
-//! What `render --certify` prints.
+//! Output of `render --certify`.
 
 use std::fmt;
 
@@ -11,28 +11,29 @@ use crate::math::Numerics;
 use crate::render::{Both, Certificate, Counts};
 use crate::scene::Scene;
 
-/// How right a picture is, in numbers.
+/// The accuracy of a picture in numbers; lengths are in world units, `null` if nothing bounds them.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     numerics: &'static str,
-    /// Surface tests: does this ray meet it, does it hide the light.
+    /// Tests whether a ray hits a surface, or a surface blocks a light.
     decisions: u64,
-    /// Those of them that rounded values decided: all, but for one for each sign that they did not.
+    /// A lower bound of the tests that rounded values decided, from one test for each other sign.
     by_filter: u64,
-    /// Signs, of which a test may need several.
+    /// Signs that were computed exactly; a test may need several.
     exactly: u64,
+    /// Exact ties, and origins within rounding of a plane, which rules decide.
     by_rule: u64,
     shared_planes: usize,
     shared_lines: usize,
-    /// The largest distance between what was welded, in world units.
-    largest_weld: f64,
-    /// In world units; `null` if nothing bounds it.
+    /// The largest distance, in the file, between planes or lines that are shared.
+    largest_shared_distance: f64,
+    /// The largest error of a hit of a camera ray.
     largest_error: Option<f64>,
-    /// In world units; `null` if nothing bounds it.
+    /// The largest estimate of the error of a hit behind mirrors and transparent surfaces.
     largest_bounced_error: Option<f64>,
-    /// Rays that were not followed because a ray from the eye may cause only so many, and how much
-    /// intensity one of them could have added at most; `null` if nothing bounds it.
+    /// Rays that were dropped because their camera ray had caused as many as it may.
     capped_rays: u64,
+    /// The largest intensity that one of them could have added.
     largest_residual: Option<f64>,
     non_finite_pixels: usize,
     picture_hash: String,
@@ -45,32 +46,27 @@ pub(super) fn report(
     scene: &Scene,
     film: &Film,
 ) -> Report {
-    let Certificate {
-        largest_error,
-        largest_bounced_error,
-        largest_residual,
-    } = *certificate;
     let decisions = counts.hit_tests + counts.occlusion_tests;
     let taken = counts.decisions;
     let robust = scene.settings.numerics == Numerics::Robust;
     let bounded = |most: f64| Some(most).filter(|most| most.is_finite());
-    // What classic surfaces decide may be off by anything.
+    // Nothing bounds the errors of classic surfaces.
     let proven = |most: f64| bounded(most).filter(|_| robust);
-    let welds = |what| scene.shared.iter().filter(|weld| weld.what == what).count();
-    let distances = scene.shared.iter().map(|weld| weld.distance);
+    let shared = |what| scene.shared.iter().filter(|it| it.what == what).count();
+    let distances = scene.shared.iter().map(|shared| shared.distance);
     Report {
         numerics: scene.settings.numerics.word(),
         decisions,
         by_filter: decisions.saturating_sub(taken.exactly + taken.by_rule),
         exactly: taken.exactly,
         by_rule: taken.by_rule,
-        shared_planes: welds(SharedKind::Plane),
-        shared_lines: welds(SharedKind::Line),
-        largest_weld: distances.fold(0.0, f64::max),
-        largest_error: proven(largest_error),
-        largest_bounced_error: proven(largest_bounced_error),
+        shared_planes: shared(SharedKind::Plane),
+        shared_lines: shared(SharedKind::Line),
+        largest_shared_distance: distances.fold(0.0, f64::max),
+        largest_error: proven(certificate.largest_error),
+        largest_bounced_error: proven(certificate.largest_bounced_error),
         capped_rays: counts.capped_rays,
-        largest_residual: bounded(largest_residual),
+        largest_residual: bounded(certificate.largest_residual),
         non_finite_pixels: film.non_finite().count(),
         picture_hash: film.hash(),
         robust,
@@ -79,54 +75,67 @@ pub(super) fn report(
 
 impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(out, "certificate (lengths in world units)")?;
         if self.robust {
-            writeln!(
-                out,
-                "certificate\n  \
-                 surface tests       {}, at least {} of them by rounded values with proven bounds\n  \
-                 other signs         {} exactly, {} by rule\n  \
-                 welded              {}, {}, {} apart at most\n  \
-                 error of a hit      {}\n  \
-                 error after mirrors {}",
-                self.decisions,
-                self.by_filter,
-                self.exactly,
-                self.by_rule,
-                counted(self.shared_planes, "shared plane"),
-                counted(self.shared_lines, "shared line"),
-                Short(self.largest_weld),
-                said(self.largest_error, " at most, in world units"),
-                said(self.largest_bounced_error, ", an estimate"),
-            )?;
+            self.write_robust(out)?;
         } else {
+            let (tests, numerics) = (self.decisions, self.numerics);
             writeln!(
                 out,
-                "certificate\n  \
-                 surface tests       {} by rounded values without bounds ({})",
-                self.decisions, self.numerics,
+                "  tests              {tests}, decided in floating point without bounds ({numerics})"
             )?;
         }
         if self.capped_rays > 0 {
             let worth = match self.largest_residual {
-                Some(residual) => format!("each worth {} at most", Short(residual)),
-                None => "and nothing bounds what mirrors without loss bring".to_owned(),
+                Some(residual) => format!("each of which could add at most {}", Short(residual)),
+                None => "and nothing bounds what they could add".to_owned(),
             };
-            let rays = self.capped_rays;
-            writeln!(out, "  cut off by the cap  {rays} rays, {worth}")?;
+            let rays = counted(
+                usize::try_from(self.capped_rays).unwrap_or(usize::MAX),
+                "ray",
+            );
+            writeln!(out, "  dropped by limit   {rays}, {worth}")?;
         }
         writeln!(
             out,
-            "  not finite          {} pixels\n  picture             {}",
+            "  non-finite pixels  {}\n  picture hash       {}",
             self.non_finite_pixels, self.picture_hash,
         )
     }
 }
 
-/// An error with what it is; `None` if nothing bounds it.
-fn said(error: Option<f64>, what: &str) -> String {
+impl Report {
+    /// The lines about robust numerics.
+    fn write_robust(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            out,
+            "  tests              {}, at least {} decided in floating point with proven bounds\n  \
+             exact decisions    {} signs computed exactly, {} decided by rule\n  \
+             shared geometry    {}, {}, at most {} apart in the file\n  \
+             hit error          {}\n  \
+             bounced hit error  {}",
+            self.decisions,
+            self.by_filter,
+            self.exactly,
+            self.by_rule,
+            counted(self.shared_planes, "plane"),
+            counted(self.shared_lines, "line"),
+            Short(self.largest_shared_distance),
+            bound(self.largest_error, "at most ", ""),
+            bound(
+                self.largest_bounced_error,
+                "about ",
+                " (an estimate; after mirrors and refraction)"
+            ),
+        )
+    }
+}
+
+/// An error between two texts; `None` if nothing bounds it.
+fn bound(error: Option<f64>, before: &str, after: &str) -> String {
     match error {
-        Some(error) => format!("{}{what}", Short(error)),
-        None => "unknown: rounding may have led a ray anywhere".to_owned(),
+        Some(error) => format!("{before}{}{after}", Short(error)),
+        None => "unbounded: rounding may have changed the path of a ray".to_owned(),
     }
 }
 

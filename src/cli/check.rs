@@ -8,12 +8,12 @@ use super::messages::{Json, Messages, problems_json};
 use super::{Status, input, shared};
 use crate::measure;
 
-/// Reads scenes and reports every error, and what is odd about their geometry.
+/// Check scenes: report every error, and geometry that is probably a mistake.
 ///
-/// Exit code 0 if there are no errors, 1 if there are; warnings do not count.
+/// Exit code 0 if no scene has errors, 1 if one has. Warnings do not count.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// Scene files; `-` is standard input.
+    /// Scene files; `-` reads standard input.
     #[arg(required = true, value_name = "SCENE")]
     scenes: Vec<PathBuf>,
     #[command(flatten)]
@@ -26,53 +26,49 @@ pub(super) fn run(options: &Options, messages: &Messages) -> Status {
     let scenes = options.scenes.iter();
     let statuses: Vec<_> = scenes.map(|scene| one(scene, options, messages)).collect();
     messages.tally(&statuses);
-    statuses.into_iter().fold(Status::Done, Status::worst)
+    statuses.into_iter().max().unwrap_or(Status::Done)
 }
 
 fn one(scene: &Path, options: &Options, messages: &Messages) -> Status {
     let name = input::title(scene);
+    let is_json = options.json.is_asked();
     let reading = match input::read(scene, &options.format.options(), messages) {
         Ok(reading) => reading,
-        Err(mut failure) => {
-            let verdict = if failure.status == Status::BadInput {
-                // That a scene has errors is the answer here, not a failure to give one.
-                failure.status = Status::No;
-                "errors"
+        Err(mut error) => {
+            messages.failed(&error);
+            let mut verdict = "cannot be read";
+            if error.status == Status::BadInput {
+                // Errors in the scene are the answer here, not a failure to give one.
+                (error.status, verdict) = (Status::No, "errors");
+            }
+            let text = if is_json {
+                error.json(scene)
             } else {
-                "cannot be read"
+                format!("{name}: {verdict}\n")
             };
-            let text = format!("{name}: {verdict}\n");
-            let json = failure.json(scene);
-            return messages.result(
-                if options.json.is_asked() {
-                    &json
-                } else {
-                    &text
-                },
-                failure.status,
-            );
+            return messages.result(&text, error.status);
         }
     };
     let warnings = measure::check(&reading.scene);
     let sources = &reading.scene.sources;
     messages.problems(&warnings, sources);
     let all: Vec<_> = reading.warnings.iter().chain(&warnings).cloned().collect();
-    let verdict = match all.len() {
-        0 => "ok".to_owned(),
-        1 => "ok, 1 warning".to_owned(),
-        many => format!("ok, {many} warnings"),
-    };
-    let text = if options.json.is_asked() {
+    let text = if is_json {
         let json = serde_json::json!({
             "scene": name,
             "exit": Status::Done.code(),
-            "welds": shared::as_json(&reading.scene),
+            "shared": shared::as_json(&reading.scene),
             "problems": problems_json(&all, sources),
         });
         format!("{json}\n")
     } else {
-        let welds = shared::as_text(&reading.scene, messages.verbose);
-        format!("{name}: {verdict}\n{welds}")
+        let verdict = match all.len() {
+            0 => "ok".to_owned(),
+            1 => "ok, 1 warning".to_owned(),
+            many => format!("ok, {many} warnings"),
+        };
+        let shared = shared::as_text(&reading.scene, messages.verbose);
+        format!("{name}: {verdict}\n{shared}")
     };
     messages.result(&text, Status::Done)
 }

@@ -5,48 +5,51 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
-use super::dials::Dials;
-use super::input::ReadError;
+use super::error::CommandError;
 use super::messages::{Json, Messages, problems_json};
 use super::numbers::whole;
 use super::output::place;
+use super::setting_options::SettingOptions;
 use super::threads::Threads;
 use super::{Status, input, progress};
-use crate::film::{check_place, save};
-use crate::language::ValueError;
+use crate::film::{check_writable, save};
 use crate::measure::{self, Best, Cost, CostOptions, Limit, Reference, Sweep, Variation};
 use crate::read::Reading;
 use crate::scene::Scene;
 
-/// Measures what accuracy costs in time: settings of a scene, each against a reference.
+/// Measure what accuracy costs in time: settings of a scene, each against a reference.
 ///
-/// Without --vary each dial is tried alone that can change this scene's picture. The error of a
-/// picture and the number of rays are the same in every run; times are not.
+/// Without --vary, each setting that can change this picture is varied alone. Errors and numbers of
+/// rays are the same in every run; times are not.
 #[derive(Debug, Args)]
 pub(super) struct Options {
     #[command(flatten)]
     input: input::OneScene,
-    /// Try these values of a property of `image`; may be given for several.
+    /// Try these values of a setting of `image`; may be given for several settings.
     #[arg(long, value_name = "WORD=A,B,…", allow_hyphen_values = true, value_parser = Variation::new)]
     vary: Vec<Variation>,
-    /// Try all combinations of what is varied, instead of each alone.
+    /// Try all combinations of the varied settings, instead of each alone.
     #[arg(long, requires = "vary")]
     grid: bool,
-    /// What to compare with: a PNG, PPM or PFM file, or `auto`, the best picture that there is.
+    /// Reference picture: a PNG, PPM or PFM file, or `auto` to render the most accurate one.
     #[arg(long, value_name = "FILE", default_value = "auto")]
     reference: PathBuf,
-    /// How often to draw each setting at most; times are medians. One is drawn no more when the
-    /// median deviation of its times is a fiftieth.
+    /// Largest number of runs of each setting; times are medians.
+    ///
+    /// A setting is repeated until its times agree within 2 % (median deviation), at least twice.
     #[arg(long, value_name = "N", default_value = "3", allow_hyphen_values = true, value_parser = whole(1000))]
     runs: u32,
     #[command(flatten)]
     threads: Threads,
-    /// Name the settings that are this good and take the least processor time, such as rmse=1e-3,
-    /// max=1, off=0.01, psnr=40, ssim=0.99 or flip=0.01; exit code 1 if none are.
+    /// Name the fastest settings of this accuracy: rmse=, max=, off=, psnr=, ssim= or flip=.
+    ///
+    /// For example rmse=1e-3, max=1, off=0.01, psnr=40, ssim=0.99 or flip=0.01. The fastest settings
+    /// take the least processor time. Exit code 1 if none are as accurate.
     #[arg(long, value_name = "WHAT=X", allow_hyphen_values = true, value_parser = Limit::new)]
     target: Option<Limit>,
-    /// Name the most accurate settings that take no longer on the clock, such as 2s or 500ms; exit
-    /// code 1 if none do.
+    /// Name the most accurate settings within this wall-clock time, such as 2s or 500ms.
+    ///
+    /// Exit code 1 if none are as fast.
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = seconds)]
     budget: Option<f64>,
     #[command(flatten)]
@@ -57,12 +60,12 @@ pub(super) struct Options {
     /// Write the plot of error against time as SVG.
     #[arg(long, value_name = "FILE", value_parser = named(&["svg"]))]
     plot: Option<PathBuf>,
-    /// Write a page with plot, pictures, errors and table, one HTML file that needs nothing else.
+    /// Write one self-contained HTML page with plot, pictures, errors and table.
     #[arg(long, value_name = "FILE", value_parser = named(&["html", "htm"]))]
     report: Option<PathBuf>,
-    // The last, since the help has what comes after them under their heading.
+    // The last, since the help lists later options under its heading.
     #[command(flatten)]
-    dials: Dials,
+    settings: SettingOptions,
 }
 
 impl Options {
@@ -72,19 +75,15 @@ impl Options {
     }
 }
 
-/// A reader of files' names that have one of these endings or none; pipes and devices are called as they
-/// like.
+/// A parser of file names with one of these endings or none; pipes and devices may have any name.
 fn named(endings: &'static [&'static str]) -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(move |path| {
         let fits = path.extension().is_none_or(|it| {
             let mut endings = endings.iter();
             endings.any(|ending| it.eq_ignore_ascii_case(ending))
         });
-        let is_special = || {
-            path.metadata()
-                .is_ok_and(|it| !it.is_file() && !it.is_dir())
-        };
-        if fits || is_special() {
+        let is_special = |it: std::fs::Metadata| !it.is_file() && !it.is_dir();
+        if fits || path.metadata().is_ok_and(is_special) {
             return Ok(path);
         }
         let endings: Vec<_> = endings.iter().map(|it| format!(".{it}")).collect();
@@ -109,22 +108,16 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    match answer(options, messages) {
-        Ok((text, status)) => messages.result(&text, status),
-        Err(failure) if options.json.is_asked() => {
-            messages.result(&failure.json(&options.input.scene), failure.status)
-        }
-        Err(failure) => failure.status,
-    }
+    let json = options.json.is_asked();
+    messages.finish(&options.input.scene, json, answer(options, messages))
 }
 
-/// What is printed, and how it ends.
-fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), ReadError> {
-    let reader = options.dials.added_to(options.input.options());
+/// The text or the JSON to print, and the status.
+fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), CommandError> {
+    let reader = options.settings.added_to(options.input.options());
     let mut reading = input::read(&options.input.scene, &reader, messages)?;
-    check_outputs(options, &reading.scene, messages)?;
-    let pool = options.threads.pool();
-    let pool = pool.map_err(|error| ReadError::new(Status::Io, error, messages))?;
+    check_outputs(options, &reading.scene)?;
+    let pool = options.threads.pool()?;
     let cost = pool.install(|| measured(options, &mut reading.scene, messages))?;
     let target = options.target.map(|limit| cost.cheapest(limit));
     let budget = options.budget.map(|budget| cost.within(budget));
@@ -148,83 +141,74 @@ fn answer(options: &Options, messages: &Messages) -> Result<(String, Status), Re
     Ok((text, status))
 }
 
-fn measured(options: &Options, scene: &mut Scene, messages: &Messages) -> Result<Cost, ReadError> {
+fn measured(
+    options: &Options,
+    scene: &mut Scene,
+    messages: &Messages,
+) -> Result<Cost, CommandError> {
     let title = options.input.title();
-    let refused = |error: ValueError| {
-        let error = format!("{title}: {}; {}", error.reason, error.advice);
-        ReadError::new(Status::BadInput, error, messages)
-    };
-    let senseless = |error: ValueError| {
-        let error = format!("{}; {}", error.reason, error.advice);
-        ReadError::new(Status::Usage, error, messages)
-    };
+    let refused = |error| CommandError::value(Status::BadInput, &title, &error);
     let base = scene.settings;
     let sweep = match (options.vary.as_slice(), options.grid) {
-        ([], _) => Sweep::of(base, &measure::effects_of(scene).map_err(refused)?),
-        (variations, true) => Sweep::grid(base, variations).map_err(senseless)?,
-        (variations, false) => Sweep::each(base, variations).map_err(senseless)?,
+        ([], _) => Ok(Sweep::of(
+            base,
+            &measure::effects_of(scene).map_err(refused)?,
+        )),
+        (variations, true) => Sweep::grid(base, variations),
+        (variations, false) => Sweep::each(base, variations),
     };
+    let sweep = sweep
+        .map_err(|error| CommandError::usage(format!("{}; {}", error.reason, error.advice)))?;
     let reference = options.reference().map(|path| {
-        Reference::from_file(path, [base.width, base.height], base.transfer).map_err(|error| {
-            let error = format!("cannot compare with {}: {error}", path.display());
-            ReadError::new(Status::Io, error, messages)
+        let reference = Reference::from_file(path, [base.width, base.height], base.transfer);
+        reference.map_err(|error| {
+            CommandError::io(format!("cannot compare with {}: {error}", path.display()))
         })
     });
-    let bar = progress::bar(&title, 0, messages);
     let how = CostOptions {
         reference: reference.transpose()?,
         runs: options.runs,
         with_pictures: options.report.is_some(),
     };
+    let bar = progress::bar(&title, 0, messages);
     let cost = measure::cost(scene, &sweep, how, &|done, of| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
+        progress::show(&bar, done, of);
     });
     bar.finish_and_clear();
     cost.map_err(refused)
 }
 
-/// Refuses to write one file twice, over what the scene is made of or compared with, or where nothing can
-/// be written, before anything is measured.
-fn check_outputs(options: &Options, scene: &Scene, messages: &Messages) -> Result<(), ReadError> {
+/// Checks the files to write before anything is measured.
+///
+/// # Errors
+/// Refuses a file that would be written twice or would replace the reference or a part of the scene,
+/// and a place where nothing can be written.
+fn check_outputs(options: &Options, scene: &Scene) -> Result<(), CommandError> {
     let outputs = [&options.csv, &options.plot, &options.report];
-    let outputs: Vec<&Path> = outputs
-        .into_iter()
-        .flatten()
-        .map(PathBuf::as_path)
-        .collect();
+    let outputs: Vec<&PathBuf> = outputs.into_iter().flatten().collect();
     let same = |one: &Path, other: &Path| {
         let places = [one, other].map(|path| place(path).ok());
         places[0].is_some() && places[0] == places[1]
     };
     for (number, output) in outputs.iter().enumerate() {
-        let error = if output.as_os_str() == "-" {
-            let error = "standard output has the table; give a name to the file";
-            (Status::Usage, error.to_owned())
+        let name = output.display();
+        let part = || input::part_at(output, &options.input.scene, scene);
+        let refused = if output.as_os_str() == "-" {
+            Some("standard output carries the table; give a file name".to_owned())
         } else if outputs[..number].iter().any(|other| same(other, output)) {
-            (
-                Status::Usage,
-                format!("{} would be written twice", output.display()),
-            )
-        } else if let Some(part) = input::part_at(output, &options.input.scene, scene) {
+            Some(format!("{name} would be written twice"))
+        } else if let Some(part) = part() {
             let title = options.input.title();
-            let error = format!(
-                "{} would replace {part}, which {title} is made of",
-                output.display()
-            );
-            (Status::Usage, error)
+            Some(format!("{name} would replace {part}, which {title} uses"))
         } else if options.reference().is_some_and(|it| same(it, output)) {
-            (
-                Status::Usage,
-                format!("{} would replace what is compared with", output.display()),
-            )
-        } else if let Err(error) = check_place(output) {
-            let error = format!("cannot write {}: {error}", output.display());
-            (Status::Io, error)
+            Some(format!("{name} would replace the reference"))
         } else {
-            continue;
+            None
         };
-        return Err(ReadError::new(error.0, error.1, messages));
+        if let Some(reason) = refused {
+            return Err(CommandError::usage(reason));
+        }
+        check_writable(output).map_err(|error| CommandError::write(name, error))?;
     }
     Ok(())
 }
@@ -234,29 +218,27 @@ fn write(
     cost: &Cost,
     answers: &[(&str, Best)],
     messages: &Messages,
-) -> Result<(), ReadError> {
+) -> Result<(), CommandError> {
     let title = options.input.title();
-    let cannot = |path: &Path, error: &dyn std::fmt::Display| {
-        let error = format!("cannot write {}: {error}", path.display());
-        ReadError::new(Status::Io, error, messages)
+    let done = |path: &Path, written: std::io::Result<()>| {
+        let name = path.display();
+        written.map_err(|error| CommandError::write(&name, error))?;
+        messages.note(&format!("{title} -> {name}"));
+        Ok(())
     };
-    let done = |path: &Path| messages.note(&format!("{title} -> {}", path.display()));
     if let Some(path) = &options.csv {
-        save(path, |out| cost.write_csv(out)).map_err(|error| cannot(path, &error))?;
-        done(path);
+        done(path, save(path, |out| cost.write_csv(out)))?;
     }
     if let Some(path) = &options.plot {
-        let saved = save(path, |out| out.write_all(cost.plot().as_bytes()));
-        saved.map_err(|error| cannot(path, &error))?;
-        done(path);
+        done(
+            path,
+            save(path, |out| out.write_all(cost.plot().as_bytes())),
+        )?;
     }
     if let Some(path) = &options.report {
-        let page = cost
-            .page(&title, answers)
-            .map_err(|error| cannot(path, &error))?;
-        let saved = save(path, |out| out.write_all(page.as_bytes()));
-        saved.map_err(|error| cannot(path, &error))?;
-        done(path);
+        let page = cost.page(&title, answers);
+        let page = page.map_err(|error| CommandError::write(path.display(), error))?;
+        done(path, save(path, |out| out.write_all(page.as_bytes())))?;
     }
     Ok(())
 }

@@ -7,9 +7,9 @@ use clap::Args;
 use super::messages::Messages;
 use super::{Status, convert::name_from, input};
 
-/// Prints the resolved scene as KDL, every include inserted and every default spelled out.
+/// Print the resolved scene as KDL, with includes inserted and defaults spelled out.
 ///
-/// This is the chapter's `dump_obj`; what it prints renders to the same picture.
+/// This is the chapter's `dump_obj`. The printed scene renders to the same picture.
 #[derive(Debug, Args)]
 pub(super) struct Options {
     #[command(flatten)]
@@ -17,12 +17,9 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options, messages: &Messages) -> Status {
-    let reading = match options.input.read(messages) {
-        Ok(reading) => reading,
-        Err(failure) => return failure.status,
-    };
-    let text = reading
-        .scene
-        .to_kdl(true, |texture| name_from(Path::new(""), texture));
-    messages.result(&text, Status::Done)
+    let text = options.input.read(messages).map(|reading| {
+        let name = |texture: &_| name_from(Path::new(""), texture);
+        (reading.scene.to_kdl(true, name), Status::Done)
+    });
+    messages.finish(&options.input.scene, false, text)
 }

@@ -1,22 +1,25 @@
-//! What `explain` prints.
+//! Output of `explain`.
 
-use std::fmt::Write;
+use std::fmt::{Result, Write};
+
+use textwrap::core::Word;
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
 use super::stats;
 use crate::measure::{EffectRow, Explanation, LightRow, NoShadow, SceneItem};
 use crate::plan::{Effect, Reachability, Unlit};
 use crate::visibility::{Accelerator, MOST_LISTS};
 
-/// The widest line that a list of things may fill, in columns.
+/// The widest line of a list, in columns.
 const WIDTH: usize = 100;
 
-/// The most surfaces that a line names.
+/// The most things of a list.
 const MOST_NAMES: usize = 12;
 
-/// The effects that send rays on.
+/// The effects that reflect or transmit rays.
 const SEND_ON: [Effect; 2] = [Effect::Mirrors, Effect::Transparency];
 
-/// An explanation for people.
+/// An explanation as text.
 pub(super) fn text(explanation: &Explanation, title: &str) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
@@ -24,72 +27,69 @@ pub(super) fn text(explanation: &Explanation, title: &str) -> String {
     text
 }
 
-fn write_text(out: &mut String, explanation: &Explanation, title: &str) -> std::fmt::Result {
+fn write_text(out: &mut String, explanation: &Explanation, title: &str) -> Result {
     let [width, height] = explanation.size;
     let lamps = explanation.lights.iter().filter(|row| row.is_lamp).count();
+    let surfaces = counted(explanation.surfaces.len(), "surface");
+    let lights = counted(explanation.lights.len() - lamps, "light");
     write!(
         out,
-        "{title}: {width}x{height} pixels, {}, {}",
-        counted(explanation.surfaces.len(), "surface"),
-        counted(explanation.lights.len() - lamps, "light"),
+        "{title}: {width}x{height} pixels, {surfaces}, {lights}"
     )?;
     if lamps > 0 {
         write!(out, ", {}", counted(lamps, "lamp"))?;
     }
-    writeln!(out)?;
-    writeln!(out, "\neffects")?;
+    writeln!(
+        out,
+        "\n\neffects (simulated only if the scene calls for them)"
+    )?;
     for row in &explanation.effects {
         effect(out, row, title, explanation.work.is_exact())?;
     }
     if !explanation.lights.is_empty() {
-        writeln!(out, "\nlights")?;
+        writeln!(
+            out,
+            "\nlights (the surfaces that they light, and that can block them)"
+        )?;
     }
     for row in &explanation.lights {
         light(out, row, explanation, title)?;
     }
-    surfaces(out, explanation)?;
+    write_surfaces(out, explanation)?;
     paths(out, explanation)?;
     textures(out, explanation)?;
-    work(out, explanation)
+    let work = &explanation.work;
+    if work.is_exact() {
+        writeln!(out, "\nwork, counted")?;
+    } else {
+        let (some, all) = (work.pixels, work.of);
+        writeln!(out, "\nwork, estimated from {some} of {all} pixels")?;
+    }
+    out.write_str(&stats::lines(&work.counts, &work.by_light))
 }
 
-fn effect(out: &mut String, row: &EffectRow, title: &str, is_exact: bool) -> std::fmt::Result {
+fn effect(out: &mut String, row: &EffectRow, title: &str, is_exact: bool) -> Result {
     let switch = if row.on { "on" } else { "off" };
-    let cost = match row.rays {
-        Some(rays) if row.on && is_exact => format!(": {rays} rays"),
-        Some(rays) if row.on => format!(": about {rays} rays"),
-        _ => String::new(),
+    let about = if is_exact { "" } else { "about " };
+    let rays = match row.rays.filter(|_| row.on) {
+        Some(rays) => format!(": {about}{rays} rays"),
+        None => String::new(),
     };
     let effect = row.effect.title();
-    writeln!(out, "  {effect:<15}{switch:<5}{}{cost}", row.why)?;
+    writeln!(out, "  {effect:<15}{switch:<5}{}{rays}", row.why)?;
     let things = row.because_of.iter().map(|thing| placed(thing, title));
     list(out, "because of ", things.collect(), 22)
 }
 
-fn light(
-    out: &mut String,
-    row: &LightRow,
-    explanation: &Explanation,
-    title: &str,
-) -> std::fmt::Result {
-    writeln!(
-        out,
-        "  {} lights {} of {}",
-        placed(&row.light, title),
-        row.lights,
-        counted(explanation.surfaces.len(), "surface"),
-    )?;
-    casters(out, row, explanation)?;
-    unlit(out, row, explanation)
-}
-
-/// Which surfaces cast a shadow in a light, and which do not.
-fn casters(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::fmt::Result {
+fn light(out: &mut String, row: &LightRow, explanation: &Explanation, title: &str) -> Result {
+    let (light, lit) = (placed(&row.light, title), row.lights);
+    let surfaces = counted(explanation.surfaces.len(), "surface");
+    writeln!(out, "  {light} can light {lit} of {surfaces}")?;
     let name = |index: &usize| explanation.surfaces[*index].surface.title.clone();
     if row.casters.is_none() && row.lights > 0 {
         writeln!(
             out,
-            "    which surface can shadow which is worked out for {MOST_LISTS} surfaces at most; of more, all are searched"
+            "    the surfaces that can block it are listed in scenes of up to {MOST_LISTS} surfaces"
         )?;
     }
     for (caster, onto) in row.casters.iter().flatten() {
@@ -100,103 +100,102 @@ fn casters(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::
     for (why, words) in [
         (
             NoShadow::NothingBehind,
-            "casts nothing, for all that this light lights is on its own side of it: ",
+            "everything that it lights is on its own side",
         ),
         (
             NoShadow::FallsBeside,
-            "casts nothing, for its shadow falls beside all that this light lights: ",
+            "the shadow misses everything that it lights",
         ),
-        (NoShadow::Told, "casts nothing, for the scene says so: "),
+        (NoShadow::Told, "`shadows cast=#false`"),
     ] {
         let some = casting_nothing.clone().filter(|(_, reason)| *reason == why);
-        list(out, words, some.map(|(index, _)| name(index)).collect(), 4)?;
+        let lead = format!("cannot block this light ({words}): ");
+        list(out, &lead, some.map(|(index, _)| name(index)).collect(), 4)?;
     }
-    Ok(())
-}
-
-/// Which surfaces a light does not light.
-fn unlit(out: &mut String, row: &LightRow, explanation: &Explanation) -> std::fmt::Result {
-    let name = |index: &usize| explanation.surfaces[*index].surface.title.clone();
     for (why, words) in [
-        (Unlit::Behind, "is behind or in the plane of "),
-        (Unlit::Dark, "has no emissivity, so it does not light "),
-        (
-            Unlit::Colorless,
-            if row.is_lamp {
-                "finds no diffuse colour on "
-            } else {
-                "finds neither diffuse colour nor glints on "
-            },
-        ),
-        (Unlit::Clear, "need not light what lets all light through: "),
-        (Unlit::OutsideBeam, "shines past "),
-        (Unlit::Unseen, "need not light what nobody sees: "),
+        (Unlit::Behind, "behind the surface or in its plane"),
+        (Unlit::Dark, "no emissivity"),
+        (Unlit::Colorless, colorless(row.is_lamp)),
+        (Unlit::Clear, "fully transparent"),
+        (Unlit::OutsideBeam, "outside its beam"),
+        (Unlit::Unseen, "never visible"),
     ] {
         let some = row.unlit.iter().filter(|(_, reason)| *reason == why);
-        list(out, words, some.map(|(index, _)| name(index)).collect(), 4)?;
+        let lead = format!("does not light ({words}): ");
+        list(out, &lead, some.map(|(index, _)| name(index)).collect(), 4)?;
     }
     Ok(())
 }
 
-fn surfaces(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
+/// The reason why a surface looks the same in any light; lamps make no highlights at all.
+fn colorless(is_lamp: bool) -> &'static str {
+    if is_lamp {
+        "no diffuse colour"
+    } else {
+        "no diffuse colour and no specular highlight"
+    }
+}
+
+fn write_surfaces(out: &mut String, explanation: &Explanation) -> Result {
     let all = explanation.surfaces.len();
-    let those = |seen: Reachability| {
+    let those = |seen: Reachability| -> Vec<String> {
         let rows = explanation.surfaces.iter();
         let rows = rows.filter(move |row| row.seen == seen);
-        rows.map(|row| row.surface.title.clone())
-            .collect::<Vec<_>>()
+        rows.map(|row| row.surface.title.clone()).collect()
     };
     let (sent_on, unseen) = (those(Reachability::SentOn), those(Reachability::Never));
     writeln!(out, "\nsurfaces")?;
-    writeln!(out, "  {} of {all} can be met by a ray", all - unseen.len())?;
-    list(
-        out,
-        "out of sight, but in mirrors or behind glass: ",
-        sent_on,
-        2,
-    )?;
-    let is_classic =
-        explanation.accelerator == Accelerator::List.word() && all >= Accelerator::FEWEST;
-    let beside = if is_classic {
-        format!("numerics {:?} have no tree", explanation.numerics)
-    } else {
-        format!("a tree pays from {} surfaces on", Accelerator::FEWEST)
+    writeln!(out, "  rays can hit {} of {all}", all - unseen.len())?;
+    let lead = "visible only in mirrors or through transparent surfaces: ";
+    list(out, lead, sent_on, 2)?;
+    let is_list = explanation.accelerator == Accelerator::List.word();
+    let how = match (is_list, all >= Accelerator::FEWEST) {
+        (true, true) => format!(
+            "one by one (numerics {:?} use no tree)",
+            explanation.numerics
+        ),
+        (true, false) => format!(
+            "one by one (a tree is used above {} surfaces)",
+            Accelerator::FEWEST - 1
+        ),
+        (false, _) => format!(
+            "in a tree (used above {} surfaces)",
+            Accelerator::FEWEST - 1
+        ),
     };
-    let accelerator = explanation.accelerator;
-    writeln!(out, "  they are found by a {accelerator}; {beside}")?;
-    let nothing_sends = explanation
-        .effects
-        .iter()
-        .all(|row| !row.on || !SEND_ON.contains(&row.effect));
-    let why = if nothing_sends {
-        "nobody sees, for it is out of sight and nothing sends rays on: "
+    writeln!(out, "  searched {how}")?;
+    let lead = if explanation.effects.iter().any(sends_on) {
+        "never hit (out of view, and no mirrored or transmitted ray gets there): "
     } else {
-        "nobody sees, for it is out of sight and no mirror or pane sends rays there: "
+        "never hit (out of view, and nothing mirrors or transmits rays): "
     };
-    list(out, why, unseen, 2)
+    list(out, lead, unseen, 2)
 }
 
-/// When rays end, if there are any that could go on.
-fn paths(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
-    let goes_on = |row: &EffectRow| row.on && SEND_ON.contains(&row.effect);
-    if !explanation.effects.iter().any(goes_on) {
+/// True if an effect is on that mirrors or transmits rays.
+fn sends_on(row: &EffectRow) -> bool {
+    row.on && SEND_ON.contains(&row.effect)
+}
+
+/// The rule that ends paths, if there are mirrored or transmitted rays.
+fn paths(out: &mut String, explanation: &Explanation) -> Result {
+    if !explanation.effects.iter().any(sends_on) {
         return Ok(());
     }
-    writeln!(out, "\npaths")?;
-    if explanation.cut_off == 0.0 {
-        return writeln!(
+    writeln!(out, "\nmirrored and transmitted rays")?;
+    match explanation.cut_off {
+        0.0 => writeln!(
             out,
-            "  rays are followed as long as they could add anything"
-        );
+            "  all are followed that can add anything (`cut-off` 0)"
+        ),
+        share => writeln!(
+            out,
+            "  a pixel loses at most {share} of white to rays that are not followed (`cut-off`)"
+        ),
     }
-    writeln!(
-        out,
-        "  rays are followed until all that a pixel could still lack is below {} (`cut-off`)",
-        explanation.cut_off,
-    )
 }
 
-fn textures(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
+fn textures(out: &mut String, explanation: &Explanation) -> Result {
     if explanation.textures.is_empty() {
         return Ok(());
     }
@@ -210,22 +209,8 @@ fn textures(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
     Ok(())
 }
 
-fn work(out: &mut String, explanation: &Explanation) -> std::fmt::Result {
-    let work = &explanation.work;
-    if work.is_exact() {
-        writeln!(out, "\nwork, counted")?;
-    } else {
-        writeln!(
-            out,
-            "\nwork, estimated from {} of {} pixels",
-            work.pixels, work.of
-        )?;
-    }
-    out.write_str(&stats::lines(&work.counts, &work.by_light))
-}
-
-/// A lead and things after it, broken into lines; nothing if there are no things.
-fn list(out: &mut String, lead: &str, mut things: Vec<String>, indent: usize) -> std::fmt::Result {
+/// A lead and things after it, broken into lines between the things; nothing without things.
+fn list(out: &mut String, lead: &str, mut things: Vec<String>, indent: usize) -> Result {
     if things.is_empty() {
         return Ok(());
     }
@@ -234,19 +219,21 @@ fn list(out: &mut String, lead: &str, mut things: Vec<String>, indent: usize) ->
         things.truncate(MOST_NAMES);
         things.push(format!("{more} more"));
     }
-    let mut line = format!("{:indent$}{lead}", "");
-    let last = things.len() - 1;
-    for (index, thing) in things.iter().enumerate() {
-        let comma = if index == last { "" } else { ", " };
-        let width = line.chars().count() + thing.chars().count() + comma.trim_end().len();
-        if width > WIDTH && index > 0 {
-            writeln!(out, "{}", line.trim_end())?;
-            line = format!("{:1$}", "", indent + 2);
-        }
-        line += thing;
-        line += comma;
-    }
-    writeln!(out, "{line}")
+    let [first, later] = [indent, indent + 2].map(|columns| " ".repeat(columns));
+    let options = Options::new(WIDTH)
+        .initial_indent(&first)
+        .subsequent_indent(&later)
+        .break_words(false)
+        .word_separator(WordSeparator::Custom(split_at_commas))
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    let text = format!("{lead}{}", things.join(", "));
+    writeln!(out, "{}", textwrap::fill(&text, options))
+}
+
+/// The parts of a line between which it may be broken.
+fn split_at_commas(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
+    Box::new(line.split_inclusive(", ").map(Word::from))
 }
 
 /// A thing with its line, or with its file and line if it stands in an included one.

@@ -2,37 +2,40 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use super::Status;
-use super::messages::{Messages, problems_json};
-use crate::language::ValueError;
-use crate::read::{Language, Options, Reading, SceneError, bytes_from, read_bytes, read_file};
+use super::error::CommandError;
+use super::format_word::LanguageWord;
+use super::messages::Messages;
+use crate::read::{Options, Reading, bytes_from, read_bytes, read_file};
 use crate::scene::Scene;
 
 /// The word for standard input and standard output.
 pub(super) const DASH: &str = "-";
 
-/// Which language a scene is written in.
+/// The option for the language of scenes.
 #[derive(Debug, Clone, Copy, Args)]
 pub(super) struct SceneFormat {
-    /// Language of the scenes; recognised by content if not given.
+    /// Language of the scene; recognised by its content if not given.
     #[arg(long, value_name = "FORMAT", value_enum)]
     format: Option<LanguageWord>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum LanguageWord {
-    /// KDL.
-    Kdl,
-    /// The course's block grammar.
-    Course,
+impl SceneFormat {
+    /// The reader's options.
+    pub(super) fn options(self) -> Options {
+        Options {
+            language: self.format.map(LanguageWord::language),
+            ..Options::default()
+        }
+    }
 }
 
-/// The scene that a command is about.
+/// The argument of a command about one scene.
 #[derive(Debug, Args)]
 pub(super) struct OneScene {
-    /// Scene file; `-` is standard input.
+    /// Scene file; `-` reads standard input.
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     #[command(flatten)]
@@ -45,122 +48,58 @@ impl OneScene {
         self.format.options()
     }
 
-    /// Reads it with no other options than its own.
-    pub(super) fn read(&self, messages: &Messages) -> Result<Reading, ReadError> {
+    /// Reads the scene with no other options than its own.
+    pub(super) fn read(&self, messages: &Messages) -> Result<Reading, CommandError> {
         read(&self.scene, &self.options(), messages)
     }
 
-    /// What messages call it.
+    /// The scene's name in messages.
     pub(super) fn title(&self) -> String {
         title(&self.scene)
     }
 }
 
-/// Reads a scene; what is wrong with it is shown, and gives the status to end with.
+/// Reads a scene, and prints its warnings.
 pub(super) fn read(
     scene: &Path,
     options: &Options,
     messages: &Messages,
-) -> Result<Reading, ReadError> {
+) -> Result<Reading, CommandError> {
     let read = if scene.as_os_str() == DASH {
         let bytes = bytes_from(std::io::stdin().lock());
         bytes.map(|bytes| read_bytes("stdin", bytes, PathBuf::new(), options))
     } else {
         read_file(scene, options)
     };
-    match read {
-        Ok(Ok(reading)) => {
-            messages.problems(&reading.warnings, &reading.scene.sources);
-            // A scene that makes no sense by itself has been rejected.
-            if let Err(ValueError { reason, advice, .. }) = reading.scene.settings.check() {
-                let error = format!("{}: {reason}; {advice}", title(scene));
-                return Err(ReadError::new(Status::Usage, error, messages));
-            }
-            Ok(reading)
-        }
-        Ok(Err(scene_error)) => {
-            messages.problems(&scene_error.problems, &scene_error.sources);
-            Err(ReadError {
-                status: Status::BadInput,
-                scene_error: Some(scene_error),
-                error: None,
-            })
-        }
-        Err(error) => {
-            let error = format!("cannot read {}: {error}", title(scene));
-            Err(ReadError::new(Status::Io, error, messages))
-        }
-    }
+    let title = title(scene);
+    let reading = read
+        .map_err(|error| CommandError::io(format!("cannot read {title}: {error}")))?
+        .map_err(CommandError::scene)?;
+    messages.problems(&reading.warnings, &reading.scene.sources);
+    // The scene's own settings have been checked, so the command line is at fault.
+    let settings = reading.scene.settings.check();
+    settings.map_err(|error| CommandError::value(Status::Usage, &title, &error))?;
+    Ok(reading)
 }
 
-/// The file of a scene, a text or a texture, that lies at a path.
+/// The name of a scene's file, text or texture, if it lies at this path.
 pub(super) fn part_at(path: &Path, file: &Path, scene: &Scene) -> Option<String> {
     let place = path.canonicalize().ok()?;
-    let texts = scene
-        .sources
-        .iter()
-        .skip(1)
-        .map(|source| PathBuf::from(&source.name));
+    let included = scene.sources.iter().skip(1);
+    let included = included.map(|source| PathBuf::from(&source.name));
     let textures = scene.textures.iter().map(|texture| texture.path.clone());
     let mut parts = std::iter::once(file.to_owned())
-        .chain(texts)
+        .chain(included)
         .chain(textures);
     let part = parts.find(|part| part.canonicalize().is_ok_and(|part| part == place))?;
     Some(part.display().to_string())
 }
 
-/// What messages call a scene.
+/// The name of a scene in messages.
 pub(super) fn title(scene: &Path) -> String {
     if scene.as_os_str() == DASH {
         "stdin".to_owned()
     } else {
         scene.display().to_string()
-    }
-}
-
-/// Why a scene could not be read; already shown.
-#[derive(Debug)]
-pub(super) struct ReadError {
-    pub(super) status: Status,
-    scene_error: Option<SceneError>,
-    error: Option<String>,
-}
-
-impl ReadError {
-    /// A failure that is no mistake in a scene's text; says so.
-    pub(super) fn new(status: Status, error: String, messages: &Messages) -> Self {
-        messages.error(&format!("error: {error}"));
-        Self {
-            status,
-            scene_error: None,
-            error: Some(error),
-        }
-    }
-
-    /// The failure as one line of JSON.
-    pub(super) fn json(&self, scene: &Path) -> String {
-        let scene_error = self.scene_error.as_ref();
-        let problems = scene_error.map(|no| problems_json(&no.problems, &no.sources));
-        let line = serde_json::json!({
-            "scene": title(scene),
-            "exit": self.status.code(),
-            "error": self.error,
-            "problems": problems.unwrap_or_default(),
-        });
-        format!("{line}\n")
-    }
-}
-
-impl SceneFormat {
-    /// The reader's options.
-    pub(super) fn options(self) -> Options {
-        let language = self.format.map(|word| match word {
-            LanguageWord::Kdl => Language::Kdl,
-            LanguageWord::Course => Language::Course,
-        });
-        Options {
-            language,
-            ..Options::default()
-        }
     }
 }

@@ -1,4 +1,4 @@
-//! What happens when someone stops the program.
+//! Clean-up when the program is interrupted.
 
 use std::thread;
 
@@ -8,16 +8,16 @@ use signal_hook::low_level::emulate_default_handler;
 
 use crate::film::discard_unfinished;
 
-/// From now on an interrupt leaves no half-written file; the program still ends by its signal.
+/// Removes half-written files on an interrupt; the program still ends by its signal.
 pub(super) fn clean_up() {
-    // Where signals cannot be caught, the program works as well without.
+    // The program works as well where signals cannot be caught.
     let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else {
         return;
     };
     thread::spawn(move || {
         for signal in signals.forever() {
             discard_unfinished();
-            // It ends the program, so there is nobody to tell if it fails.
+            // It ends the program; an error has no place to go.
             let _ = emulate_default_handler(signal);
         }
     });

@@ -1,4 +1,4 @@
-//! The command line: arguments, messages, exit codes. One file per command.
+//! Command line: arguments, messages, exit codes; one file per command.
 
 mod asked;
 mod bug;
@@ -6,11 +6,12 @@ mod certificate;
 mod check;
 mod convert;
 mod cost;
-mod dials;
 mod dump;
+mod error;
 mod explain;
 mod explanation;
 mod finished;
+mod format_word;
 mod input;
 #[cfg(unix)]
 mod interrupt;
@@ -19,6 +20,7 @@ mod numbers;
 mod output;
 mod progress;
 mod render;
+mod setting_options;
 mod shared;
 mod stats;
 mod status;
@@ -27,17 +29,17 @@ mod threads;
 
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, ColorChoice, Parser, Subcommand};
 
-use crate::film::Format;
-use crate::read::Language;
 use messages::Messages;
 use status::Status;
 
-/// Heliodon renders scenes of planes, textured planes and a few round things.
+/// Batch ray tracer for scenes of planes, textured planes and a few round surfaces.
 ///
-/// Results go to standard output, everything else to standard error. Exit codes: 0 done, 1 the
-/// answer is no, 2 wrong usage, 3 wrong scene, 4 files, 5 numbers, 70 a bug.
+/// Results go to standard output, everything else to standard error.
+///
+/// Exit codes: 0 success, 1 negative answer, 2 wrong usage, 3 errors in a scene, 4 file error, 5
+/// pixels that are not finite, 70 a bug in heliodon.
 #[derive(Debug, Parser)]
 #[command(
     name = "heliodon",
@@ -49,36 +51,23 @@ use status::Status;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    // Behind what the commands have of their own, and before the help itself.
+    // After the commands' own options, and before the help itself.
     #[command(flatten, next_display_order = 900)]
     global: Global,
 }
 
-/// What every command takes.
+/// Options of every command.
 #[derive(Debug, Args)]
 struct Global {
-    /// Say less: errors only.
+    /// Print errors only.
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Say more: rays, times, the scene's hash.
+    /// Print more: ray counts, shared borders, the scene's hash.
     #[arg(short, long, global = true)]
     verbose: bool,
-    /// When to use colours on standard error.
-    #[arg(
-        long,
-        global = true,
-        value_enum,
-        default_value = "auto",
-        value_name = "WHEN"
-    )]
-    color: Color,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Color {
-    Auto,
-    Always,
-    Never,
+    /// Use of colours on standard error; `auto` uses them on terminals.
+    #[arg(long, global = true, default_value = "auto", value_name = "WHEN")]
+    color: ColorChoice,
 }
 
 #[derive(Debug, Subcommand)]
@@ -91,51 +80,14 @@ enum Command {
     Convert(convert::Options),
 }
 
-/// The formats that `--format` names: a picture's or a scene's.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum FormatWord {
-    /// Picture: PNG with 8 bits a channel.
-    Png,
-    /// Picture: PNG with 16 bits a channel.
-    Png16,
-    /// Picture: binary PPM (P6).
-    Ppm,
-    /// Picture: 32-bit floats, linear and unclamped.
-    Pfm,
-    /// Scene: KDL.
-    Kdl,
-    /// Scene: the course's block grammar.
-    Course,
-}
-
-impl FormatWord {
-    fn picture(self) -> Option<Format> {
-        match self {
-            Self::Png => Some(Format::Png8),
-            Self::Png16 => Some(Format::Png16),
-            Self::Ppm => Some(Format::Ppm),
-            Self::Pfm => Some(Format::Pfm),
-            Self::Kdl | Self::Course => None,
-        }
-    }
-
-    fn language(self) -> Option<Language> {
-        match self {
-            Self::Kdl => Some(Language::Kdl),
-            Self::Course => Some(Language::Course),
-            _ => None,
-        }
-    }
-}
-
 /// Runs the program with the process's arguments.
 #[must_use]
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and version go to standard output, mistakes to standard error; if neither can
-            // be written to, there is nobody to tell.
+            // Help and version go to standard output, mistakes to standard error. If neither can
+            // be written to, there is no place for a message.
             let _ = error.print();
             let status = if error.use_stderr() {
                 Status::Usage

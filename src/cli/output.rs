@@ -1,78 +1,62 @@
-//! Where pictures go, decided for all scenes before the first is rendered.
+//! `SamplePositions` of pictures, decided for all scenes before the first is rendered.
 
 use std::collections::HashMap;
 use std::io::{ErrorKind, IsTerminal};
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
-use super::Status;
 use super::asked::Asked;
-use super::input::DASH;
+use super::error::CommandError;
+use super::input::{DASH, title};
 use crate::film::{BitDepth, Format};
 
-/// Where one scene's picture goes.
+/// The place of one scene's picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Output {
     /// The file; `None` for standard output.
     pub(super) path: Option<PathBuf>,
-    /// The kind of picture.
     pub(super) format: Format,
 }
 
 impl Output {
-    /// What messages call the place.
+    /// The place's name in messages.
     pub(super) fn title(&self) -> String {
         let path = self.path.as_ref();
         path.map_or("stdout".to_owned(), |path| path.display().to_string())
     }
 }
 
-/// What the command line leaves possible for one scene's picture: an output for each depth, the usual
-/// one first, and one at least. The scene's own depth chooses.
+/// The outputs that the command line leaves possible for one scene; the scene's depth chooses.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Outputs(Vec<Output>);
+pub(super) struct Outputs {
+    /// At least one; of those with the same depth, the usual one first.
+    formats: Vec<Format>,
+    /// The file; `None` for standard output.
+    path: Option<PathBuf>,
+    /// True if the format's ending is added to the path.
+    is_stem: bool,
+}
 
 impl Outputs {
-    /// These formats at the places that each has.
-    fn of(formats: Vec<Format>, place: impl Fn(Format) -> Option<PathBuf>) -> Self {
-        let mut outputs: Vec<Output> = Vec::new();
-        for format in formats {
-            let depth = format.depth();
-            if outputs.iter().all(|known| known.format.depth() != depth) {
-                let path = place(format);
-                outputs.push(Output { path, format });
-            }
+    /// The output for a picture of this depth, or the usual one if no format has it.
+    pub(super) fn of_depth(&self, depth: BitDepth) -> Output {
+        let mut formats = self.formats.iter();
+        let fitting = formats.find(|format| format.depth() == depth);
+        let format = *fitting.unwrap_or(&self.formats[0]);
+        let mut path = self.path.clone();
+        if let Some(path) = path.as_mut().filter(|_| self.is_stem) {
+            path.as_mut_os_string().push(".");
+            path.as_mut_os_string().push(format.extension());
         }
-        Self(outputs)
-    }
-
-    /// The one for a picture of this depth, or the usual one if none has it.
-    pub(super) fn of_depth(&self, depth: BitDepth) -> &Output {
-        let mut outputs = self.0.iter();
-        let fitting = outputs.find(|output| output.format.depth() == depth);
-        fitting.unwrap_or(&self.0[0])
-    }
-}
-
-/// Why there is no place for a picture.
-#[derive(Debug, PartialEq, Eq)]
-pub(super) struct OutputError {
-    pub(super) status: Status,
-    pub(super) reason: String,
-}
-
-fn usage(reason: impl Into<String>) -> OutputError {
-    OutputError {
-        status: Status::Usage,
-        reason: reason.into(),
+        Output { path, format }
     }
 }
 
 /// The outputs of a list of scenes, in their order.
 ///
 /// # Errors
-/// If two pictures would go to one file, a picture would replace a scene, the format cannot be
-/// told, what is asked for contradicts itself, or a folder is missing.
-pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, OutputError> {
+/// Refuses two pictures in one file, a picture in place of a scene, an unknown format, options that
+/// contradict each other, and a missing folder.
+pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, CommandError> {
     if asked.pattern == Some(DASH) {
         return to_standard_output(scenes, asked);
     }
@@ -80,22 +64,21 @@ pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>,
     let mut taken: HashMap<PathBuf, usize> = HashMap::new();
     for (number, scene) in scenes.iter().enumerate() {
         let outputs = outputs(scene, asked)?;
-        for path in outputs.0.iter().filter_map(|output| output.path.as_ref()) {
-            let place = place(path)?;
-            if scenes
-                .iter()
-                .any(|scene| scene.canonicalize().is_ok_and(|scene| scene == place))
-            {
-                let reason = format!("a picture {} would replace a scene", path.display());
-                return Err(usage(reason));
+        let possible = BitDepth::ALL.map(|depth| outputs.of_depth(depth));
+        for path in possible.into_iter().filter_map(|output| output.path) {
+            let place = place(&path)?;
+            let is_place = |scene: &PathBuf| scene.canonicalize().is_ok_and(|it| it == place);
+            let name = path.display();
+            if scenes.iter().any(is_place) {
+                let reason = format!("a picture {name} would replace a scene");
+                return Err(CommandError::usage(reason));
             }
             let other = taken.insert(place, number).filter(|other| *other != number);
             if let Some(other) = other {
-                return Err(usage(format!(
-                    "{} and {} would both be written to {}; put {{stem}} into the output's name",
-                    scenes[other].display(),
-                    scene.display(),
-                    path.display(),
+                let [one, other] = [scene, &scenes[other]].map(|scene| scene.display());
+                return Err(CommandError::usage(format!(
+                    "{other} and {one} would both be written to {name}; put {{stem}} into the \
+                     output's name"
                 )));
             }
         }
@@ -104,49 +87,44 @@ pub(super) fn plan(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>,
     Ok(all)
 }
 
-fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, OutputError> {
+fn to_standard_output(scenes: &[PathBuf], asked: Asked<'_>) -> Result<Vec<Outputs>, CommandError> {
     if scenes.len() > 1 {
-        return Err(usage("only one picture can go to standard output"));
+        let reason = "only one picture can go to standard output";
+        return Err(CommandError::usage(reason));
     }
     if std::io::stdout().is_terminal() {
-        return Err(usage(
-            "a terminal cannot show a picture; send standard output to a file",
-        ));
+        let reason = "a terminal cannot show a picture; redirect standard output to a file";
+        return Err(CommandError::usage(reason));
     }
-    Ok(vec![Outputs::of(
-        asked.formats(None).map_err(usage)?,
-        |_| None,
-    )])
+    Ok(vec![Outputs {
+        formats: asked.formats(None)?,
+        path: None,
+        is_stem: false,
+    }])
 }
 
-fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, OutputError> {
-    let stem = if scene.as_os_str() == DASH {
-        "stdin".into()
-    } else {
-        scene
-            .file_stem()
-            .unwrap_or(scene.as_os_str())
-            .to_string_lossy()
+fn outputs(scene: &Path, asked: Asked<'_>) -> Result<Outputs, CommandError> {
+    let stem = match scene.file_stem() {
+        Some(stem) if scene.as_os_str() != DASH => stem.to_string_lossy().into_owned(),
+        _ => title(scene),
     };
-    let within = |folder: PathBuf| {
-        let name = |format: Format| folder.join(format!("{stem}.{}", format.extension()));
-        Ok(Outputs::of(asked.formats(None).map_err(usage)?, |it| {
-            Some(name(it))
-        }))
-    };
-    let Some(pattern) = asked.pattern else {
-        return within(PathBuf::new());
-    };
+    let pattern = asked.pattern.unwrap_or_default();
     let path = PathBuf::from(filled(pattern, &stem)?);
-    if path.is_dir() || pattern.ends_with(std::path::MAIN_SEPARATOR) {
-        return within(path);
-    }
-    let formats = asked.formats(Some(&path)).map_err(usage)?;
-    Ok(Outputs::of(formats, |_| Some(path.clone())))
+    let is_stem = asked.pattern.is_none() || path.is_dir() || pattern.ends_with(MAIN_SEPARATOR);
+    let formats = asked.formats(Some(&path).filter(|_| !is_stem).map(PathBuf::as_path))?;
+    let path = Some(if is_stem { path.join(stem) } else { path });
+    Ok(Outputs {
+        formats,
+        path,
+        is_stem,
+    })
 }
 
-/// The pattern with `{stem}` replaced; other words in braces are mistakes.
-fn filled(pattern: &str, stem: &str) -> Result<String, OutputError> {
+/// The pattern with `{stem}` replaced.
+///
+/// # Errors
+/// Refuses other words in braces.
+fn filled(pattern: &str, stem: &str) -> Result<String, CommandError> {
     let mut text = String::new();
     let mut rest = pattern;
     while let Some(open) = rest.find('{') {
@@ -156,8 +134,9 @@ fn filled(pattern: &str, stem: &str) -> Result<String, OutputError> {
         };
         let word = &from_brace[1..close];
         if word != "stem" {
-            let reason = format!("{{{word}}} in the output's name is unknown; {{stem}} is known");
-            return Err(usage(reason));
+            return Err(CommandError::usage(format!(
+                "{{{word}}} in the output's name is unknown; only {{stem}} is known"
+            )));
         }
         text += before;
         text += stem;
@@ -166,21 +145,17 @@ fn filled(pattern: &str, stem: &str) -> Result<String, OutputError> {
     Ok(text + rest)
 }
 
-/// The one true path of a file that may not exist yet; its folder must.
-pub(super) fn place(path: &Path) -> Result<PathBuf, OutputError> {
+/// The canonical path of a file that need not exist; its folder must.
+pub(super) fn place(path: &Path) -> Result<PathBuf, CommandError> {
     if let Ok(place) = path.canonicalize() {
         return Ok(place);
     }
-    let parent = path
-        .parent()
-        .filter(|parent| !parent.as_os_str().is_empty());
+    let parent = path.parent();
+    let parent = parent.filter(|parent| !parent.as_os_str().is_empty());
     let folder = parent.unwrap_or(Path::new("."));
-    let place = folder.canonicalize().map_err(|error| OutputError {
-        status: Status::Io,
-        reason: match error.kind() {
-            ErrorKind::NotFound => format!("there is no folder {}", folder.display()),
-            _ => format!("cannot write {}: {error}", path.display()),
-        },
+    let place = folder.canonicalize().map_err(|error| match error.kind() {
+        ErrorKind::NotFound => CommandError::io(format!("there is no folder {}", folder.display())),
+        _ => CommandError::write(path.display(), error),
     })?;
     Ok(place.join(path.file_name().unwrap_or_default()))
 }
@@ -191,7 +166,7 @@ mod tests {
 
     fn named(scenes: &[&str], asked: Asked<'_>, depth: BitDepth) -> Result<Vec<String>, String> {
         let scenes: Vec<_> = scenes.iter().map(PathBuf::from).collect();
-        let all = plan(&scenes, asked).map_err(|refused| refused.reason)?;
+        let all = plan(&scenes, asked).map_err(|error| format!("{error:?}"))?;
         let outputs = all.iter().map(|outputs| outputs.of_depth(depth));
         let named = outputs.map(|output| format!("{} {:?}", output.title(), output.format));
         Ok(named.collect())
@@ -308,16 +283,16 @@ mod tests {
             (
                 "x.png",
                 float,
-                "x.png cannot have a depth of float; end it with .pfm,",
+                "x.png cannot have a depth of float; use the ending .pfm,",
             ),
             (
                 "x.ppm",
                 sixteen,
-                "x.ppm cannot have a depth of 16; end it with .png,",
+                "x.ppm cannot have a depth of 16; use the ending .png,",
             ),
-            ("x.ppm", float, "end it with .pfm,"),
-            ("x.pfm", eight, "end it with .png or .ppm,"),
-            ("x.pfm", sixteen, "end it with .png,"),
+            ("x.ppm", float, "use the ending .pfm,"),
+            ("x.pfm", eight, "use the ending .png or .ppm,"),
+            ("x.pfm", sixteen, "use the ending .png,"),
             ("x", sixteen, "names no picture format"),
         ] {
             let error = by_depth(Some(pattern), None, Some(depth)).unwrap_err();
@@ -327,7 +302,7 @@ mod tests {
             for depth in BitDepth::ALL.into_iter().filter(|it| *it != format.depth()) {
                 let error = by_depth(None, Some(format), Some(depth)).unwrap_err();
                 let other = format.depth().word();
-                let expected = format!("contradicts --format, which asks for a depth of {other};");
+                let expected = format!("contradicts --format, which has a depth of {other};");
                 assert!(error.contains(&expected), "{error}");
             }
         }

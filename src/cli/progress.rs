@@ -1,4 +1,4 @@
-//! The progress bar, on terminals only.
+//! Progress bar, on terminals only.
 
 use std::fmt;
 use std::io::IsTerminal;
@@ -18,7 +18,7 @@ pub(super) fn bar(title: &str, rows: u64, messages: &Messages) -> ProgressBar {
         .unwrap_or_else(|_| ProgressStyle::default_bar())
         .with_key("left", Left::default())
         .progress_chars("█▌ ");
-    // Of nothing, all is done: a bar whose length is not known yet begins at zero as others do.
+    // A bar of length zero would be full, so a length that is not known yet is one.
     let length = Some(rows.max(1));
     let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr_with_hz(10));
     bar.set_style(style);
@@ -27,10 +27,16 @@ pub(super) fn bar(title: &str, rows: u64, messages: &Messages) -> ProgressBar {
     bar
 }
 
-/// How long the rest will take.
+/// Shows that so many steps of so many are done.
+pub(super) fn show(bar: &ProgressBar, done: usize, of: usize) {
+    bar.set_length(of as u64);
+    bar.set_position(done as u64);
+}
+
+/// Estimate of the time left.
 ///
-/// The first step counts for nothing, since it may be another kind of work, such as a reference; until
-/// another is done, nobody knows.
+/// The first step does not count, since it may be another kind of work, such as a reference. There is
+/// no estimate until another step is done.
 #[derive(Debug, Clone, Copy, Default)]
 struct Left {
     first: Option<(Instant, u64)>,
@@ -68,7 +74,7 @@ impl ProgressTracker for Left {
 
     fn write(&self, _state: &ProgressState, out: &mut dyn fmt::Write) {
         if let Some(left) = self.left {
-            // A bar without it is a bar as well.
+            // The bar is useful without it as well.
             let _ = write!(out, "  {:#} left", HumanDuration(left));
         }
     }
@@ -79,12 +85,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_time_left_is_told_once_it_is_known_and_without_the_first_step() {
+    fn the_time_left_is_shown_once_it_is_known_and_without_the_first_step() {
         let start = Instant::now();
         let mut left = Left::default();
         for (seconds, done, expected) in [
             (0, 0, None),
-            // The reference takes a minute, and each rung half a second.
+            // The reference takes a minute, and each setting half a second.
             (59, 0, None),
             (60, 2, None),
             (61, 4, Some(2.0)),

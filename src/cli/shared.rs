@@ -1,4 +1,4 @@
-//! What `check` tells of the planes and lines that surfaces share.
+//! Output of `check` about the planes and border lines that surfaces share.
 
 use std::fmt::Write;
 
@@ -6,65 +6,59 @@ use serde_json::{Value, json};
 
 use super::explanation::counted;
 use crate::geometry::{Shared, SharedKind};
+use crate::plan::Cause;
 use crate::scene::Scene;
 
 /// The shared planes and lines as JSON values.
 pub(super) fn as_json(scene: &Scene) -> Vec<Value> {
-    let one = |weld: &Shared| {
+    let one = |shared: &Shared| {
         json!({
-            "what": word(weld),
-            "surfaces": names(scene, weld),
-            "apart": weld.distance,
+            "what": word(shared),
+            "surfaces": names(scene, shared),
+            "apart": shared.distance,
         })
     };
     scene.shared.iter().map(one).collect()
 }
 
-/// How many planes and lines are shared, and which of them were moved to be so; all of them if
-/// asked for.
+/// The number of shared planes and lines, and each that was moved to be shared, or all of them.
 pub(super) fn as_text(scene: &Scene, all: bool) -> String {
-    let mut text = String::new();
-    let count = |what| scene.shared.iter().filter(|weld| weld.what == what).count();
-    let (planes, lines) = (count(SharedKind::Plane), count(SharedKind::Line));
-    if planes + lines == 0 {
-        return text;
+    if scene.shared.is_empty() {
+        return String::new();
     }
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        text,
-        "  surfaces share {} and {}",
-        counted(planes, "plane"),
-        counted(lines, "border line")
-    );
-    for weld in &scene.shared {
-        if !all && weld.distance == 0.0 {
-            continue;
-        }
-        let (word, names) = (word(weld), names(scene, weld).join(", "));
-        let _ = match weld.distance {
-            0.0 => writeln!(text, "  one {word}: {names}"),
-            apart => writeln!(text, "  one {word}, though {apart:.1e} apart: {names}"),
+    let count = |what| scene.shared.iter().filter(|it| it.what == what).count();
+    let planes = counted(count(SharedKind::Plane), "plane");
+    let lines = counted(count(SharedKind::Line), "border line");
+    let mut text = format!("  surfaces share {planes} and {lines}\n");
+    let is_shown = |shared: &&Shared| all || shared.distance != 0.0;
+    for shared in scene.shared.iter().filter(is_shown) {
+        let apart = match shared.distance {
+            0.0 => String::new(),
+            apart => format!(" ({apart:.1e} apart in the file)"),
         };
+        let (word, names) = (word(shared), names(scene, shared).join(", "));
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  shared {word}{apart}: {names}");
     }
     text
 }
 
-fn word(weld: &Shared) -> &'static str {
-    match weld.what {
+fn word(shared: &Shared) -> &'static str {
+    match shared.what {
         SharedKind::Plane => "plane",
         SharedKind::Line => "line",
     }
 }
 
-/// The surfaces by name, or else by kind and place in the file.
-fn names(scene: &Scene, weld: &Shared) -> Vec<String> {
+/// The surfaces by kind and name, or else by kind and number in the file.
+fn names(scene: &Scene, shared: &Shared) -> Vec<String> {
     let name = |index: &usize| {
-        let surface = &scene.surfaces[*index];
-        let kind = surface.describe().word;
-        match &surface.common().name {
-            Some(name) => format!("{kind} {name:?}"),
-            None => format!("{kind} number {}", index + 1),
+        let surface = &*scene.surfaces[*index];
+        let title = Cause::of_surface(surface).title;
+        match surface.common().name {
+            Some(_) => title,
+            None => format!("{title} number {}", index + 1),
         }
     };
-    weld.surfaces.iter().map(name).collect()
+    shared.surfaces.iter().map(name).collect()
 }

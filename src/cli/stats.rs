@@ -1,4 +1,4 @@
-//! What `render --stats` prints.
+//! Output of `render --stats`, and the work in `explain`.
 
 use crate::measure::LightTests;
 use crate::render::Counts;
@@ -6,37 +6,39 @@ use crate::render::Counts;
 /// The most lights that have a line of their own.
 const MOST_LIGHTS: usize = 12;
 
-/// How much work a picture took.
+/// The work of a picture, under a heading.
 pub(super) fn table(counts: &Counts, by_light: &[LightTests]) -> String {
     format!("work\n{}", lines(counts, by_light))
 }
 
 /// A line for each kind of work, and for each light if there are several.
 pub(super) fn lines(counts: &Counts, by_light: &[LightTests]) -> String {
-    let lines = [
-        ("rays from the eye", counts.camera_rays),
-        ("rays to lights", counts.shadow_rays),
-        ("rays to lamps", counts.lamp_rays),
-        ("rays from mirrors", counts.mirror_rays),
-        ("rays through surfaces", counts.transmitted_rays),
-        ("rays cut off as too faint", counts.faint_rays),
-        ("rays cut off by the cap", counts.capped_rays),
-        ("surfaces asked for a hit", counts.hit_tests),
-        ("surfaces asked for a shadow", counts.occlusion_tests),
+    let rays = [
+        ("camera rays", counts.camera_rays),
+        ("shadow rays to lights", counts.shadow_rays),
+        ("shadow rays to lamps", counts.lamp_rays),
+        ("mirrored rays", counts.mirror_rays),
+        ("transmitted rays", counts.transmitted_rays),
+        ("rays dropped as too faint", counts.faint_rays),
+        ("rays dropped by the limit", counts.capped_rays),
+        ("hit tests", counts.hit_tests),
+        ("shadow tests", counts.occlusion_tests),
     ];
-    let mut text: String = lines.map(|(what, count)| line(what, count)).concat();
+    let decisions = [
+        ("texel fetches", counts.texel_fetches),
+        ("signs computed exactly", counts.decisions.exactly),
+        ("signs decided by rule", counts.decisions.by_rule),
+    ];
+    let line = |(what, count): (&str, u64)| line(what, count);
+    let mut text = rays.map(line).concat();
     if by_light.len() > 1 {
         text.extend(shares(by_light));
     }
-    let lines = [
-        ("texels fetched", counts.texel_fetches),
-        ("signs taken exactly", counts.decisions.exactly),
-        ("ties by rule", counts.decisions.by_rule),
-    ];
-    text + &lines.map(|(what, count)| line(what, count)).concat()
+    text += &decisions.map(line).concat();
+    text + "  (test: one ray against one surface; limit: 1000 rays per camera ray)\n"
 }
 
-/// What of the shadows' work each light takes; of very many, the last ones together.
+/// The shadow tests of each light; of very many lights, the last ones together.
 fn shares(by_light: &[LightTests]) -> impl Iterator<Item = String> {
     let alone = if by_light.len() > MOST_LIGHTS + 1 {
         MOST_LIGHTS

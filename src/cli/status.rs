@@ -2,22 +2,22 @@
 
 use std::process::ExitCode;
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Outcome of a command, from the best to the worst; the worst of a batch is that of the batch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Status {
-    /// Done.
+    /// Success.
     Done,
-    /// The answer is "no": `check` found errors, or nothing that `cost` tried is good enough.
+    /// A negative answer: `check` found errors, or no setting of `cost` is good enough.
     No,
-    /// The command line makes no sense.
+    /// A command line that makes no sense.
     Usage,
-    /// A scene cannot be read as a scene.
+    /// A text that is not a scene.
     BadInput,
-    /// A file is missing or cannot be read or written.
+    /// A file that is missing, or cannot be read or written.
     Io,
-    /// A pixel is infinite or not a number; the picture is written all the same.
+    /// A pixel that is infinite or not a number; the picture is written all the same.
     NonFinite,
-    /// The program has a bug.
+    /// A bug in the program.
     Bug,
 }
 
@@ -34,23 +34,6 @@ impl Status {
             Self::Bug => 70,
         }
     }
-
-    /// The status of a batch: that of its worst part.
-    pub(super) fn worst(self, other: Self) -> Self {
-        const FROM_WORST: [Status; 7] = [
-            Status::Bug,
-            Status::NonFinite,
-            Status::Io,
-            Status::BadInput,
-            Status::Usage,
-            Status::No,
-            Status::Done,
-        ];
-        let found = FROM_WORST
-            .into_iter()
-            .find(|status| [self, other].contains(status));
-        found.unwrap_or(self)
-    }
 }
 
 impl From<Status> for ExitCode {
@@ -65,11 +48,11 @@ mod tests {
 
     #[test]
     fn the_worst_of_a_batch_wins() {
-        assert_eq!(Done.worst(Done), Done);
-        assert_eq!(Done.worst(No), No);
-        assert_eq!(BadInput.worst(No), BadInput);
-        assert_eq!(BadInput.worst(Io), Io);
-        assert_eq!(NonFinite.worst(Io), NonFinite);
-        assert_eq!(Bug.worst(NonFinite), Bug);
+        assert_eq!(Done.max(Done), Done);
+        assert_eq!(Done.max(No), No);
+        assert_eq!(BadInput.max(No), BadInput);
+        assert_eq!(BadInput.max(Io), Io);
+        assert_eq!(NonFinite.max(Io), NonFinite);
+        assert_eq!(Bug.max(NonFinite), Bug);
     }
 }

@@ -1,9 +1,9 @@
-//! What the numbers of a picture are kept in.
+//! The number format of a channel.
 
-use super::{Encoding, pfm};
+use super::Encoding;
 use crate::language::words;
 
-/// What each channel of a pixel is kept in.
+/// The number format of a channel: 8 bits, 16 bits or float.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BitDepth {
     /// A code value of 8 bits, as in the chapter.
@@ -11,7 +11,7 @@ pub enum BitDepth {
     Eight,
     /// A code value of 16 bits.
     Sixteen,
-    /// The intensity itself as a 32-bit float.
+    /// The intensity as a 32-bit float.
     Float,
 }
 
@@ -22,7 +22,7 @@ words!(BitDepth {
 });
 
 impl BitDepth {
-    /// The largest code value; floats are none.
+    /// The largest code value; `None` for floats.
     #[must_use]
     pub fn largest(self) -> Option<u16> {
         match self {
@@ -32,24 +32,33 @@ impl BitDepth {
         }
     }
 
-    /// The number that is kept of an intensity: its code value, or what a float can say of it.
+    /// The stored number of an intensity: its code value, or the nearest float.
     #[must_use]
-    pub fn kept(self, intensity: f64, encoding: Encoding) -> f64 {
+    pub fn stored(self, intensity: f64, encoding: Encoding) -> f64 {
         match self.largest() {
             Some(largest) => f64::from(encoding.code(intensity, largest)),
-            None => f64::from(pfm::float(intensity)),
+            None => f64::from(float(intensity)),
         }
     }
 
-    /// The value that is shown of an intensity that was kept; white is 1.
+    /// The display value of a stored intensity; white is 1.
     #[must_use]
-    pub fn shown(self, intensity: f64, encoding: Encoding) -> f64 {
-        let kept = self.kept(intensity, encoding);
+    pub fn displayed(self, intensity: f64, encoding: Encoding) -> f64 {
+        let stored = self.stored(intensity, encoding);
         match self.largest() {
-            Some(largest) => kept / f64::from(largest),
-            None => encoding.transfer.value(kept),
+            Some(largest) => stored / f64::from(largest),
+            None => encoding.transfer.value(stored),
         }
     }
+}
+
+/// The nearest finite float of an intensity.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the format has 32-bit floats"
+)]
+pub(super) fn float(intensity: f64) -> f32 {
+    (intensity as f32).clamp(f32::MIN, f32::MAX)
 }
 
 #[cfg(test)]
@@ -72,7 +81,7 @@ mod tests {
                 let encoding = encoding(transfer);
                 let off = (0..=1000).map(|step| {
                     let intensity = f64::from(step) / 1000.0;
-                    (depth.shown(intensity, encoding) - transfer.value(intensity)).abs()
+                    (depth.displayed(intensity, encoding) - transfer.value(intensity)).abs()
                 });
                 let largest = off.fold(0.0, f64::max);
                 // As large as it can be, nearly: a finer depth would be off by less.
@@ -86,7 +95,7 @@ mod tests {
 
     #[test]
     fn only_floats_keep_what_is_brighter_than_white() {
-        let kept = BitDepth::ALL.map(|depth| depth.kept(2.5, Encoding::default()));
-        assert_eq!(kept, [255.0, 65_535.0, 2.5]);
+        let stored = BitDepth::ALL.map(|depth| depth.stored(2.5, Encoding::default()));
+        assert_eq!(stored, [255.0, 65_535.0, 2.5]);
     }
 }

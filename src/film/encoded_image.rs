@@ -1,41 +1,39 @@
-//! Pictures as their files hold them.
-
-use std::io::{self, Write};
+//! Pictures in the numbers of a file format.
 
 use rayon::prelude::*;
 
-use super::{Encoding, Film, Format, Notes, blank, pfm, png, ppm};
+use super::{Encoding, Film, Format, filled};
 use crate::math::Rgb;
 
-/// A picture in the numbers of a file format. They take less room than those of a [`Film`], so what
-/// is drawn only to be written need not be kept in full.
+/// A picture in the numbers of a file format, row by row from the top.
+///
+/// It takes less memory than a [`Film`] of the same picture.
 #[derive(Debug)]
 pub struct EncodedImage {
     /// The width in pixels.
     pub(super) width: usize,
     /// The height in pixels.
     pub(super) height: usize,
-    format: Format,
-    /// How intensities have become the format's numbers.
+    /// The file format.
+    pub(super) format: Format,
+    /// The map from intensities to the format's numbers.
     pub(super) encoding: Encoding,
-    /// Row by row from the top.
     bytes: Vec<u8>,
-    /// For each row the columns with an infinite or not-a-number channel.
-    odd: Vec<Vec<usize>>,
+    /// For each row, the columns with an infinite or NaN channel.
+    non_finite: Vec<Vec<usize>>,
 }
 
-/// A row of a print.
+/// A row of an encoded image.
 #[derive(Debug)]
 pub struct EncodedRow<'a> {
     format: Format,
     encoding: Encoding,
     bytes: &'a mut [u8],
-    odd: &'a mut Vec<usize>,
+    non_finite: &'a mut Vec<usize>,
 }
 
 impl EncodedImage {
-    /// A picture of this width and height, black in every format; `None` if there is no memory for
-    /// it.
+    /// A black picture of a width and a height; `None` if memory is short.
     #[must_use]
     pub fn new([width, height]: [usize; 2], format: Format, encoding: Encoding) -> Option<Self> {
         Some(Self {
@@ -43,20 +41,18 @@ impl EncodedImage {
             height,
             format,
             encoding,
-            bytes: blank([width, height, format.pixel_size()], 0)?,
-            odd: vec![Vec::new(); height],
+            bytes: filled([width, height, format.pixel_size()], 0)?,
+            non_finite: vec![Vec::new(); height],
         })
     }
 
-    /// The print of a film; `None` if there is no memory for it.
+    /// The encoded image of a film; `None` if memory is short.
     #[must_use]
     pub fn of(film: &Film, format: Format, encoding: Encoding) -> Option<Self> {
-        let mut print = Self::new([film.width(), film.height()], format, encoding)?;
-        let rows = film.pixels().par_chunks(film.width());
-        print.rows().zip(rows).for_each(|(mut row, colors)| {
-            row.encode_row(colors);
-        });
-        Some(print)
+        let mut image = Self::new([film.width(), film.height()], format, encoding)?;
+        let rows = image.rows().zip(film.pixels().par_chunks(film.width()));
+        rows.for_each(|(mut row, colors)| row.encode_row(colors));
+        Some(image)
     }
 
     /// The numbers of the format, row by row from the top.
@@ -65,44 +61,32 @@ impl EncodedImage {
         &self.bytes
     }
 
-    /// The rows from the top.
+    /// The rows for writing, from the top.
     pub fn rows(&mut self) -> impl IndexedParallelIterator<Item = EncodedRow<'_>> {
         let (format, encoding) = (self.format, self.encoding);
         let rows = self.bytes.par_chunks_mut(self.width * format.pixel_size());
-        rows.zip(&mut self.odd).map(move |(bytes, odd)| EncodedRow {
+        let rows = rows.zip(&mut self.non_finite);
+        rows.map(move |(bytes, non_finite)| EncodedRow {
             format,
             encoding,
             bytes,
-            odd,
+            non_finite,
         })
     }
 
-    /// Column and row of every pixel that got an infinite or not-a-number channel.
+    /// Column and row of each pixel with an infinite or NaN channel.
     pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
-        let rows = self.odd.iter().enumerate();
-        rows.flat_map(|(row, odd)| odd.iter().map(move |column| (*column, row)))
-    }
-
-    /// Writes the picture's file.
-    ///
-    /// # Errors
-    /// Whatever the writer fails with.
-    pub fn write(&self, out: &mut dyn Write, notes: &Notes) -> io::Result<()> {
-        match self.format {
-            Format::Png8 => png::write(self, out, ::png::BitDepth::Eight, notes),
-            Format::Png16 => png::write(self, out, ::png::BitDepth::Sixteen, notes),
-            Format::Ppm => ppm::write(self, out),
-            Format::Pfm => pfm::write(self, out),
-        }
+        let rows = self.non_finite.iter().enumerate();
+        rows.flat_map(|(row, columns)| columns.iter().map(move |column| (*column, row)))
     }
 }
 
 impl EncodedRow<'_> {
-    /// Gives the row's pixels these colours, from the left.
+    /// Encodes the colours of the row's pixels, from the left.
     pub fn encode_row(&mut self, colors: &[Rgb]) {
-        let colored = colors.iter().enumerate();
-        let odd = colored.filter(|(_, color)| !color.is_finite());
-        self.odd.extend(odd.map(|(column, _)| column));
-        self.format.store(colors, self.encoding, self.bytes);
+        let pixels = colors.iter().enumerate();
+        let non_finite = pixels.filter(|(_, color)| !color.is_finite());
+        self.non_finite.extend(non_finite.map(|(column, _)| column));
+        self.format.encode(colors, self.encoding, self.bytes);
     }
 }

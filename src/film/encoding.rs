@@ -1,18 +1,44 @@
-//! From intensities to code values.
+//! Code values of intensities.
 
-use super::{Rounding, Transfer};
+use super::Transfer;
+use crate::language::words;
 
-/// How an intensity becomes a code value.
+/// The rounding of a value between two code values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rounding {
+    /// To the nearest code value, halves upward.
+    #[default]
+    Nearest,
+    /// To the next lower code value, as in the course's programs.
+    Truncate,
+}
+
+words!(Rounding {
+    Nearest: "round",
+    Truncate: "truncate",
+});
+
+impl Rounding {
+    /// The smallest value that becomes a code value, in halves of a code value.
+    fn threshold(self, code: u16) -> u32 {
+        match self {
+            Self::Nearest => (2 * u32::from(code)).saturating_sub(1),
+            Self::Truncate => 2 * u32::from(code),
+        }
+    }
+}
+
+/// The map from intensities to code values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Encoding {
-    /// The curve from intensities to values.
+    /// The curve from intensities to display values.
     pub transfer: Transfer,
-    /// How a value between two code values becomes one of them.
+    /// The rounding of a value between two code values.
     pub rounding: Rounding,
 }
 
 impl From<Rounding> for Encoding {
-    /// Without a curve.
+    /// The encoding without a curve.
     fn from(rounding: Rounding) -> Self {
         Self {
             transfer: Transfer::None,
@@ -22,12 +48,13 @@ impl From<Rounding> for Encoding {
 }
 
 impl Encoding {
-    /// The code value from 0 to `largest` for an intensity; clamped, and 0 for not-a-number.
+    /// The code value from 0 to `largest` of an intensity, clamped; 0 for NaN.
     ///
-    /// `largest` is one less than a power of two: all bits of the format set. It is exact, so it is the
-    /// same on every machine; only truncated intensities without a curve are rounded once before, as
-    /// the course's programs did.
+    /// `largest` is one less than a power of two. The code value is exact, so it is the same on
+    /// every machine. One case rounds the scaled intensity first, as the course's programs did:
+    /// truncation without a curve.
     #[must_use]
+    #[inline(always)]
     pub fn code(self, intensity: f64, largest: u16) -> u16 {
         let Self { transfer, rounding } = self;
         if intensity >= 1.0 {
@@ -43,12 +70,23 @@ impl Encoding {
             reason = "casts from float saturate; NaN is 0"
         )]
         let code = (raised as u16).min(largest);
-        let into = raised - f64::from(code);
-        let is_sure = into > transfer.close() && into < 1.0 - transfer.close();
-        if self == Rounding::Truncate.into() || is_sure || intensity <= 0.0 {
+        let fraction = raised - f64::from(code);
+        let is_certain = fraction > transfer.margin() && fraction < 1.0 - transfer.margin();
+        if is_certain {
+            code
+        } else {
+            self.exact_code(intensity, code, largest)
+        }
+    }
+
+    /// The code value of an intensity for which rounded values found `code`, or one beside it.
+    #[cold]
+    fn exact_code(self, intensity: f64, code: u16, largest: u16) -> u16 {
+        let Self { transfer, rounding } = self;
+        if self == Rounding::Truncate.into() || intensity <= 0.0 {
             return code;
         }
-        let reaches = |code: u16| transfer.reaches(intensity, rounding.halves(code), largest);
+        let reaches = |code: u16| transfer.reaches(intensity, rounding.threshold(code), largest);
         if code > 0 && !reaches(code) {
             code - 1
         } else if code < largest && reaches(code + 1) {

@@ -1,9 +1,10 @@
-//! The kinds of picture files.
+//! Picture file formats.
 
-use super::{BitDepth, Encoding, pfm};
+use super::bit_depth::{BitDepth, float};
+use super::encoding::Encoding;
 use crate::math::Rgb;
 
-/// A kind of picture file.
+/// A picture file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// PNG with 8 bits a channel.
@@ -17,10 +18,10 @@ pub enum Format {
 }
 
 impl Format {
-    /// All of them; of those with the same depth or the same ending, the usual one first.
+    /// All formats; of those with the same depth or extension, the usual one first.
     pub const ALL: [Self; 4] = [Self::Png8, Self::Png16, Self::Ppm, Self::Pfm];
 
-    /// What its numbers are kept in.
+    /// The number format of its channels.
     #[must_use]
     pub fn depth(self) -> BitDepth {
         match self {
@@ -30,7 +31,7 @@ impl Format {
         }
     }
 
-    /// The usual ending of its file names.
+    /// The usual extension of its file names.
     #[must_use]
     pub fn extension(self) -> &'static str {
         match self {
@@ -40,36 +41,40 @@ impl Format {
         }
     }
 
-    /// The bytes of a pixel.
+    /// Bytes of a pixel.
     pub(super) fn pixel_size(self) -> usize {
-        3 * match self {
-            Self::Png8 | Self::Ppm => size_of::<u8>(),
-            Self::Png16 => size_of::<u16>(),
-            Self::Pfm => size_of::<f32>(),
+        3 * match self.depth() {
+            BitDepth::Eight => size_of::<u8>(),
+            BitDepth::Sixteen => size_of::<u16>(),
+            BitDepth::Float => size_of::<f32>(),
         }
     }
 
-    /// Makes colours the bytes of pixels: red, green and blue in turn.
-    pub(super) fn store(self, colors: &[Rgb], encoding: Encoding, bytes: &mut [u8]) {
-        match self {
+    /// Encodes colours as the bytes of pixels: red, green and blue in turn.
+    pub(super) fn encode(self, colors: &[Rgb], encoding: Encoding, bytes: &mut [u8]) {
+        match self.depth() {
             // A code is at most 255, so its low byte is all of it.
-            Self::Png8 | Self::Ppm => store(colors, bytes, |channel| {
+            BitDepth::Eight => encode(colors, bytes, |channel| {
                 let [low, _] = encoding.code(channel, 255).to_le_bytes();
                 [low]
             }),
-            Self::Png16 => store(colors, bytes, |channel| {
+            BitDepth::Sixteen => encode(colors, bytes, |channel| {
                 encoding.code(channel, 65_535).to_be_bytes()
             }),
-            Self::Pfm => store(colors, bytes, |channel| pfm::float(channel).to_le_bytes()),
+            BitDepth::Float => encode(colors, bytes, |channel| float(channel).to_le_bytes()),
         }
     }
 }
 
-/// Makes colours bytes, `SIZE` of them for each channel.
-fn store<const SIZE: usize>(colors: &[Rgb], bytes: &mut [u8], stored: impl Fn(f64) -> [u8; SIZE]) {
+/// Encodes colours with `SIZE` bytes a channel.
+fn encode<const SIZE: usize>(
+    colors: &[Rgb],
+    bytes: &mut [u8],
+    channel: impl Fn(f64) -> [u8; SIZE],
+) {
     let (channels, _) = bytes.as_chunks_mut();
     for (pixel, color) in channels.chunks_exact_mut(3).zip(colors) {
         let [r, g, b] = color.channels();
-        pixel.copy_from_slice(&[stored(r), stored(g), stored(b)]);
+        pixel.copy_from_slice(&[channel(r), channel(g), channel(b)]);
     }
 }

@@ -1,35 +1,29 @@
-//! Pixels in memory and on disk.
+//! Pixels in memory and in picture files.
 
 mod bit_depth;
 mod encoded_image;
 mod encoding;
 mod format;
-mod load;
-mod pfm;
-mod png;
-mod ppm;
+mod read;
 mod region;
-mod rounding;
 mod save;
 mod transfer;
+mod write;
 
 pub use bit_depth::BitDepth;
 pub use encoded_image::{EncodedImage, EncodedRow};
-pub use encoding::Encoding;
+pub use encoding::{Encoding, Rounding};
 pub use format::Format;
 pub use region::Region;
-pub use rounding::Rounding;
-pub use save::{check_place, discard_unfinished, save};
+pub use save::{check_writable, discard_unfinished, save};
 pub use transfer::Transfer;
-
-use std::io::{self, Write};
+pub use write::Notes;
 
 use crate::math::Rgb;
 
-/// A picture of linear, unclamped colours; rows from top to bottom.
+/// A framebuffer: linear, unclamped colours, row by row from the top.
 ///
-/// Intensity 1 becomes the largest code value; how the others become code values is said where they do,
-/// by an [`Encoding`].
+/// Intensity 1 becomes the largest code value; an [`Encoding`] maps the others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
     width: usize,
@@ -37,18 +31,14 @@ pub struct Film {
     pixels: Vec<Rgb>,
 }
 
-/// What goes into a picture file beside the pixels.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Notes(pub Vec<(&'static str, String)>);
-
 impl Film {
-    /// A black picture; `None` if there is no memory for it.
+    /// A black picture; `None` if memory is short.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Option<Self> {
         Some(Self {
             width,
             height,
-            pixels: blank([width, height], Rgb::BLACK)?,
+            pixels: filled([width, height], Rgb::BLACK)?,
         })
     }
 
@@ -70,7 +60,7 @@ impl Film {
         &self.pixels
     }
 
-    /// All pixels to be written, row by row from the top.
+    /// All pixels for writing, row by row from the top.
     pub fn pixels_mut(&mut self) -> &mut [Rgb] {
         &mut self.pixels
     }
@@ -85,13 +75,13 @@ impl Film {
     #[must_use]
     pub fn bytes(&self, encoding: impl Into<Encoding>) -> Vec<u8> {
         let mut bytes = vec![0; 3 * self.pixels.len()];
-        Format::Ppm.store(&self.pixels, encoding.into(), &mut bytes);
+        Format::Ppm.encode(&self.pixels, encoding.into(), &mut bytes);
         bytes
     }
 
-    /// The picture as it is shown: each channel is the value that its code value is a share of.
+    /// The picture in display values: the transfer curve is applied to each channel.
     #[must_use]
-    pub fn shown(mut self, transfer: Transfer) -> Self {
+    pub fn displayed(mut self, transfer: Transfer) -> Self {
         if transfer != Transfer::None {
             for pixel in &mut self.pixels {
                 let [r, g, b] = pixel.channels().map(|channel| transfer.value(channel));
@@ -101,52 +91,32 @@ impl Film {
         self
     }
 
-    /// A fingerprint of the picture before it is quantised: its size and the bits of every channel.
+    /// Hash of the picture before quantisation: its size and the bits of each channel.
     #[must_use]
     pub fn hash(&self) -> String {
         let mut hasher = blake3::Hasher::new();
         for side in [self.width, self.height] {
             hasher.update(&(side as u64).to_le_bytes());
         }
-        for pixel in &self.pixels {
-            for channel in pixel.channels() {
-                hasher.update(&channel.to_le_bytes());
-            }
+        for channel in self.pixels.iter().flat_map(|pixel| pixel.channels()) {
+            hasher.update(&channel.to_le_bytes());
         }
         hasher.finalize().to_hex().to_string()
     }
 
-    /// Column and row of every pixel with an infinite or not-a-number channel.
+    /// Column and row of each pixel with an infinite or NaN channel.
     pub fn non_finite(&self) -> impl Iterator<Item = (usize, usize)> {
-        let odd = self
-            .pixels
-            .iter()
-            .enumerate()
-            .filter(|(_, pixel)| !pixel.is_finite());
-        odd.map(|(index, _)| (index % self.width, index / self.width))
-    }
-
-    /// Writes the picture as a file of this format.
-    ///
-    /// # Errors
-    /// Whatever the writer fails with.
-    pub fn write(
-        &self,
-        out: &mut dyn Write,
-        format: Format,
-        encoding: impl Into<Encoding>,
-        notes: &Notes,
-    ) -> io::Result<()> {
-        let print = EncodedImage::of(self, format, encoding.into());
-        print.ok_or(io::ErrorKind::OutOfMemory)?.write(out, notes)
+        let pixels = self.pixels.iter().enumerate();
+        let non_finite = pixels.filter(|(_, pixel)| !pixel.is_finite());
+        non_finite.map(|(index, _)| (index % self.width, index / self.width))
     }
 }
 
-/// As many times the same as these sides make together; `None` if there is no memory for it.
-fn blank<T: Clone, const SIDES: usize>(sides: [usize; SIDES], one: T) -> Option<Vec<T>> {
+/// Equal elements, as many as the product of the sides; `None` if memory is short.
+fn filled<T: Clone, const SIDES: usize>(sides: [usize; SIDES], element: T) -> Option<Vec<T>> {
     let count = sides.into_iter().try_fold(1, usize::checked_mul)?;
     let mut all = Vec::new();
     all.try_reserve_exact(count).ok()?;
-    all.resize(count, one);
+    all.resize(count, element);
     Some(all)
 }

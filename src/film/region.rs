@@ -1,22 +1,24 @@
-//! A part of a picture.
+//! Rectangles of pixels.
 
 use crate::language::ValueError;
 
-/// A rectangle of pixels, at least one; columns and rows are counted from the top left, from 0.
+/// A rectangle of at least one pixel.
+///
+/// Columns and rows count from 0 at the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Region {
     /// The first column.
     pub left: usize,
     /// The first row.
     pub top: usize,
-    /// How many columns.
+    /// The number of columns.
     pub width: usize,
-    /// How many rows.
+    /// The number of rows.
     pub height: usize,
 }
 
 impl Region {
-    /// A whole picture of this width and height.
+    /// All pixels of a picture of a size.
     #[must_use]
     pub fn whole([width, height]: [u32; 2]) -> Self {
         Self {
@@ -27,18 +29,16 @@ impl Region {
         }
     }
 
-    /// From a column and a row up to but not including others.
+    /// The pixels from a first column and row to an exclusive last column and row.
     ///
     /// # Errors
-    /// Refuses a region without pixels.
+    /// Returns an error if the region is empty.
     pub fn between([left, top]: [u32; 2], [right, bottom]: [u32; 2]) -> Result<Self, ValueError> {
         if left >= right || top >= bottom {
             return Err(ValueError::new(
                 "image",
-                format!(
-                    "there is no pixel from {left},{top} up to but not including {right},{bottom}"
-                ),
-                "give the first column and row, and those behind the last",
+                format!("the region from {left},{top} to {right},{bottom} has no pixels"),
+                "the last column and row are exclusive: give larger ones",
             ));
         }
         Ok(Self {
@@ -49,46 +49,41 @@ impl Region {
         })
     }
 
-    /// One pixel.
+    /// A pixel and its neighbours within a picture of a size.
     #[must_use]
-    pub fn pixel(column: usize, row: usize) -> Self {
-        Self {
+    pub fn around([column, row]: [usize; 2], [width, height]: [u32; 2]) -> Self {
+        let pixel = Self {
             left: column,
             top: row,
             width: 1,
             height: 1,
-        }
+        };
+        pixel.grown_within([width, height])
     }
 
-    /// A pixel and those around it, of those that a picture of this width and height has.
-    #[must_use]
-    pub fn around([column, row]: [usize; 2], [width, height]: [u32; 2]) -> Self {
-        Self::pixel(column, row).grown_within([width, height])
-    }
-
-    /// It with the pixels around it, of those that a picture of this width and height has.
+    /// The region grown by one pixel on each side, within a picture of a size.
     #[must_use]
     pub fn grown_within(self, [width, height]: [u32; 2]) -> Self {
-        let [left, top, right, bottom] = self.corners();
-        let (first, last) = (left.saturating_sub(1), (right + 1).min(width as usize));
-        let (upper, lower) = (top.saturating_sub(1), (bottom + 1).min(height as usize));
+        let [left, top, right, bottom] = self.bounds();
+        let (left, right) = (left.saturating_sub(1), (right + 1).min(width as usize));
+        let (top, bottom) = (top.saturating_sub(1), (bottom + 1).min(height as usize));
         Self {
-            left: first,
-            top: upper,
-            width: last - first,
-            height: lower - upper,
+            left,
+            top,
+            width: right - left,
+            height: bottom - top,
         }
     }
 
-    /// Column and row of each of its pixels, row by row.
-    pub fn places(self) -> impl Iterator<Item = [usize; 2]> {
-        let [left, top, right, bottom] = self.corners();
+    /// Column and row of each pixel, row by row.
+    pub fn pixels(self) -> impl Iterator<Item = [usize; 2]> {
+        let [left, top, right, bottom] = self.bounds();
         (top..bottom).flat_map(move |row| (left..right).map(move |column| [column, row]))
     }
 
-    /// The first column and row, and those behind the last: `0,0,80,60`.
+    /// First column and row, and exclusive last column and row: `0,0,80,60`.
     #[must_use]
-    pub fn corners(&self) -> [usize; 4] {
+    pub fn bounds(&self) -> [usize; 4] {
         let Self {
             left,
             top,
@@ -98,12 +93,12 @@ impl Region {
         [left, top, left + width, top + height]
     }
 
-    /// Whether it lies in a picture of this width and height.
+    /// Checks that the region lies in a picture of a size.
     ///
     /// # Errors
-    /// Refuses a region that reaches beyond it.
+    /// Returns an error if it does not.
     pub fn check_within(&self, [width, height]: [u32; 2]) -> Result<(), ValueError> {
-        let [left, top, right, bottom] = self.corners();
+        let [left, top, right, bottom] = self.bounds();
         if right <= width as usize && bottom <= height as usize {
             return Ok(());
         }
@@ -126,7 +121,7 @@ mod tests {
     fn a_region_has_pixels_and_lies_in_the_picture() {
         let region = Region::between([2, 1], [4, 6]).expect("2 by 5 pixels");
         assert_eq!((region.width, region.height), (2, 5));
-        assert_eq!(region.corners(), [2, 1, 4, 6]);
+        assert_eq!(region.bounds(), [2, 1, 4, 6]);
         assert!(region.check_within([4, 6]).is_ok());
         assert!(region.check_within([3, 6]).is_err());
         assert!(region.check_within([4, 5]).is_err());

@@ -1,63 +1,66 @@
-//! Files that appear whole or not at all.
+//! Files that appear complete or not at all.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// The file that is being written, under its temporary name.
+/// The temporary name of the file that is being written.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Writes a file under a temporary name beside its place, and renames it when it is complete.
+/// Writes a file that appears when it is complete.
 ///
-/// What is not a regular file (a pipe, a device) is written directly; a link keeps its place and
-/// its target is written. A file that is replaced hands on its permissions.
+/// It is written under a temporary name in its folder and then renamed.
+///
+/// A pipe or a device is written directly. If the path is a link, its target is written. A new
+/// file takes the permissions of the file that it replaces.
 ///
 /// # Errors
-/// Whatever `write`, the file system or the rename fails with; the old file is then untouched.
+/// Returns the error of `write` or of the file system; the old file is then unchanged.
 pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let place = target(path);
-    let old = fs::metadata(&place).ok();
+    let target = resolved(path);
+    let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(is_special) {
-        let mut out = fs::OpenOptions::new().write(true).open(&place)?;
+        let mut out = fs::OpenOptions::new().write(true).open(&target)?;
         return write(&mut out);
     }
-    let file = beside(&place)?;
+    let file = temporary_file(&target)?;
     note_unfinished(Some(file.path().to_owned()));
-    let written = write_to(file.as_file(), write).and_then(|()| Ok(file.persist(&place)?));
+    let written = write_to(file.as_file(), write).and_then(|()| Ok(file.persist(&target)?));
     note_unfinished(None);
     written?;
     match old {
-        Some(old) => fs::set_permissions(&place, old.permissions()),
+        Some(old) => fs::set_permissions(&target, old.permissions()),
         None => Ok(()),
     }
 }
 
-/// Whether a file can be saved here, as far as can be told without writing anything.
+/// Checks that a file can be created at a path, without leaving one there.
 ///
 /// # Errors
-/// Whatever keeps a file from being made in the folder.
-pub fn check_place(path: &Path) -> io::Result<()> {
-    let place = target(path);
-    match fs::metadata(&place) {
+/// Returns the error of the file system.
+pub fn check_writable(path: &Path) -> io::Result<()> {
+    let target = resolved(path);
+    match fs::metadata(&target) {
         Ok(old) if old.is_dir() => Err(io::Error::other("it is a folder")),
         Ok(old) if is_special(&old) => Ok(()),
         Err(error) if error.kind() == io::ErrorKind::InvalidFilename => {
             Err(io::Error::new(error.kind(), "its name is too long"))
         }
-        _ => beside(&place).map(drop),
+        _ => temporary_file(&target).map(drop),
     }
 }
 
-/// Whether something is written where it is: a pipe, a device.
+/// True for a pipe or a device.
 fn is_special(old: &fs::Metadata) -> bool {
     !old.is_file() && !old.is_dir()
 }
 
-/// An empty file under a temporary name beside a place. Errors do not tell that name, which nobody asked
-/// for.
-fn beside(place: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let parent = place
+/// Creates an empty file under a temporary name in a path's folder.
+///
+/// Errors do not contain the temporary name.
+fn temporary_file(target: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let parent = target
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
     let folder = parent.unwrap_or(Path::new("."));
@@ -70,14 +73,14 @@ fn beside(place: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.make_in(folder, |path| fs::File::create_new(path))
 }
 
-/// Removes what a save that will not be completed has left behind.
+/// Removes the temporary file of a save that was interrupted.
 pub fn discard_unfinished() {
     let unfinished = UNFINISHED
         .lock()
         .ok()
         .and_then(|mut unfinished| unfinished.take());
     if let Some(path) = unfinished {
-        // If it is gone already, so much the better.
+        // An error means that the file is gone already.
         let _ = fs::remove_file(path);
     }
 }
@@ -88,10 +91,10 @@ fn note_unfinished(path: Option<PathBuf>) {
     }
 }
 
-/// The place that a path stands for: that which a link points to, whether it exists or not.
-fn target(path: &Path) -> PathBuf {
-    if let Ok(place) = fs::canonicalize(path) {
-        return place;
+/// The path itself, or the target of a link, which need not exist.
+fn resolved(path: &Path) -> PathBuf {
+    if let Ok(target) = fs::canonicalize(path) {
+        return target;
     }
     match (fs::read_link(path), path.parent()) {
         (Ok(link), Some(parent)) => parent.join(link),

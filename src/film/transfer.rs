@@ -1,15 +1,17 @@
-//! From intensities to the values that code values stand for.
+//! Transfer curves from intensities to display values.
 
 use crate::language::words;
 use crate::math::exact::{Exact, Sign};
 
-/// The curve between an intensity and the value that its code value is a share of.
+/// The curve from an intensity to a display value.
+///
+/// A code value is the display value times the largest code value, rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Transfer {
-    /// The value is the intensity, as in the chapter.
+    /// No curve: the value is the intensity, as in the chapter.
     #[default]
     None,
-    /// The curve that screens expect (IEC 61966-2-1:1999): dark intensities get more of the code values.
+    /// The sRGB curve of screens (IEC 61966-2-1:1999).
     Srgb,
 }
 
@@ -19,21 +21,21 @@ words!(Transfer {
 });
 
 impl Transfer {
-    /// The value of an intensity, right but for a few roundings: 0 for 0, and 1 for 1.
+    /// The display value of an intensity within a few roundings; exact for 0 and 1.
     #[must_use]
     pub fn value(self, intensity: f64) -> f64 {
         match self {
             Self::None => intensity,
             Self::Srgb if intensity <= 0.003_130_8 => 12.92 * intensity,
             Self::Srgb => {
-                // The power 1/2.4 = 1/3 + 1/12, which takes half as long this way.
+                // The power 1/2.4 = 1/3 + 1/12. Two roots take half the time of a power.
                 let root = libm::cbrt(intensity);
                 1.055 * (root * root.sqrt().sqrt()) - 0.055
             }
         }
     }
 
-    /// The intensity of a value between 0 and 1, right but for a few roundings.
+    /// The intensity of a display value from 0 to 1, within a few roundings.
     #[must_use]
     pub fn intensity(self, value: f64) -> f64 {
         match self {
@@ -43,54 +45,54 @@ impl Transfer {
         }
     }
 
-    /// By how much at most the value changes for each bit that the intensity does.
-    ///
-    /// The curve of sRGB is steepest at black. Behind the straight part its slope is at most
-    /// 1.055/2.4 · 0.0031308^(−1.4/2.4) = 12.71.
+    /// The largest slope of the curve.
     #[must_use]
-    pub fn steepest(self) -> f64 {
+    pub fn max_slope(self) -> f64 {
         match self {
             Self::None => 1.0,
+            // The slope of the linear part. Beyond it the slope is at most
+            // 1.055/2.4 · 0.0031308^(−1.4/2.4) = 12.71.
             Self::Srgb => 12.92,
         }
     }
 
-    /// How far the value of what is shown may be off, if an intensity is off by no more than `error`;
-    /// what is above white is shown as white.
+    /// Error bound of a display value, from that of its intensity.
     ///
-    /// As the curve bends downward, that is how far it falls towards black.
+    /// Intensities above white are displayed as white.
     #[must_use]
     pub fn error(self, intensity: f64, error: f64) -> f64 {
         let darkest = intensity - error;
         match self {
             _ if darkest >= 1.0 => 0.0,
             Self::None => error,
+            // The curve is concave, so the value changes most towards black.
             Self::Srgb => self.value(intensity.min(1.0).max(error)) - self.value(darkest.max(0.0)),
         }
     }
 
-    /// How far from a threshold, in code values, [`value`](Self::value) is good enough to choose one:
-    /// far more than what roots and roundings are off.
-    pub(super) fn close(self) -> f64 {
+    /// Distance from a threshold, in code values, at which `value` is precise enough.
+    ///
+    /// It is much larger than the error of the roots and roundings.
+    pub(super) fn margin(self) -> f64 {
         match self {
             Self::None => 1.0 / 137_438_953_472.0,
             Self::Srgb => 1.0 / 1_048_576.0,
         }
     }
 
-    /// Whether an intensity between 0 and 1 has a value of at least `halves / (2 largest)`, exactly.
+    /// True if an intensity has a value of at least `halves / (2 largest)`, exactly.
     ///
-    /// For sRGB: the intensity *x* of a value *v* is *v*/12.92 up to *v* = 0.04045, and beyond that
-    /// *x*⁵ is the twelfth power of (*v* + 0.055)/1.055, all of which are fractions of whole numbers.
-    /// The two ways of the standard, to values and from them, do not quite agree where the parts meet,
-    /// but there is no threshold of 8 or 16 bits between them.
+    /// The intensity lies between 0 and 1.
     pub(super) fn reaches(self, intensity: f64, halves: u32, largest: u16) -> bool {
         let (halves, largest) = (f64::from(halves), f64::from(largest));
         match self {
-            // That is `2 l i ≥ h`, or `(2 l + 2) i − h ≥ 2 i`. As `2 l + 2` is a power of two, both
-            // products are exact, and so is the difference wherever the sides are close
-            // (Sterbenz 1974).
+            // `2 l i ≥ h` is `(2 l + 2) i − h ≥ 2 i`. Both products are exact, because `2 l + 2` is a
+            // power of two. The difference is exact where the sides are close (Sterbenz 1974).
             Self::None => intensity * (2.0 * largest + 2.0) - halves >= 2.0 * intensity,
+            // The intensity x of a value v is v/12.92 up to v = 0.04045. Beyond that, x⁵ is the
+            // twelfth power of (v + 0.055)/1.055. All are fractions of whole numbers. The
+            // standard's curve and its inverse differ where the parts join, but no threshold of 8
+            // or 16 bits lies between them.
             Self::Srgb => {
                 let intensity = Exact::from(intensity);
                 let [reached, threshold] = if 10_000.0 * halves <= 809.0 * largest {
@@ -123,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_of_the_curve_stay_where_they_are() {
+    fn black_and_white_keep_their_values() {
         for transfer in Transfer::ALL {
             assert_eq!(transfer.value(0.0), 0.0);
             assert!((transfer.value(1.0) - 1.0).abs() < 1e-15);
@@ -135,26 +137,26 @@ mod tests {
         for intensity in intensities() {
             for transfer in Transfer::ALL {
                 let back = transfer.intensity(transfer.value(intensity));
-                // Where the parts of the curve meet, the constants of the standard leave a step.
+                // The constants of the standard leave a step where the parts of the curve join.
                 assert!((back - intensity).abs() <= 1e-8, "{transfer:?} {intensity}");
             }
         }
     }
 
     #[test]
-    fn nowhere_is_the_curve_steeper_than_it_says() {
+    fn no_slope_exceeds_the_largest() {
         let transfer = Transfer::Srgb;
         let pairs = intensities().zip(intensities().skip(1));
         for (low, high) in pairs {
             let rise = transfer.value(high) - transfer.value(low);
-            // Where its parts meet, the constants of the standard leave a step.
-            assert!(rise <= transfer.steepest() * (high - low) + 1e-7, "{low}");
+            // The constants of the standard leave a step where the parts join.
+            assert!(rise <= transfer.max_slope() * (high - low) + 1e-7, "{low}");
             assert!(rise >= 0.0, "{low}");
         }
     }
 
     #[test]
-    fn what_is_shown_is_no_further_off_than_is_said() {
+    fn no_display_value_exceeds_its_error_bound() {
         let transfer = Transfer::Srgb;
         for intensity in intensities() {
             for error in [1e-6, 0.001, 0.03, 0.4] {

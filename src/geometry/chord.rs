@@ -1,80 +1,74 @@
-//! Where a line passes through a ball.
+//! Chords: the intersections of a line and a sphere.
 
 use glam::DVec3;
 
 use crate::math::Decisions;
-use crate::math::error_bounds::{UNDERFLOW, UNIT};
+use crate::math::error_bounds::{
+    BALL_ACROSS, BALL_ALONG, DISCRIMINANT, ELLIPSOID_ACROSS, ELLIPSOID_ALONG, HALF_CHORD, NEAREST,
+    SQUARES, UNDERFLOW,
+};
 use crate::math::exact::{Distance, Exact, Sign};
 
-/// A line and a ball around the origin, seen from the ray's origin.
+/// The chord of a line in a sphere around the origin.
 ///
-/// With `a = d·d`, half of the chord is `√((r² − |c − (c·d/a) d|²)/a)`: the distance of the line
+/// With `a = d·d`, half of the chord is `√((r² − |c − (c·d/a) d|²)/a)`. The distance of the line
 /// from the centre does not cancel, however far away the ray's origin is (Haines, Günther and
 /// Akenine-Möller 2019, "Precision Improvements for Ray/Sphere Intersection").
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
-    /// `−c·d/a`: how far ahead the line is nearest to the centre.
+    /// The distance of the chord's middle, `−c·d/a`.
     ahead: f64,
-    /// The square of half the chord, not divided by `a`; not positive where the line passes by.
+    /// The square of half the chord, times `a`; not positive for a line that misses.
     half_squared: f64,
     /// `d·d`.
     speed_squared: f64,
-    /// How far at most `c·d/a` is from the exact value, in units of `|d|`.
-    doubt: f64,
-    /// How far at most `half_squared` is from the exact value.
-    half_squared_doubt: f64,
+    /// The error bound of `c·d/a`, in units of `|d|`.
+    ahead_error: f64,
+    /// The error bound of `half_squared`.
+    half_squared_error: f64,
 }
 
-/// How far rounding puts a chord off, in units of `size`.
-///
-/// Let every component of `c` have `o` roundings, and of `d` have `e`. The product `c·d` has `o + e + 3`, `a` has
-/// `2e + 3`, and with the division that makes `f = c·d/a` off by `(o + 3e + 7) u`, in units of a direction of unit
-/// length. One more is for the sum with half the chord, and one, there as everywhere, for the rounding of the
-/// bound itself.
-///
-/// Whatever `f` is off by, `δ`, it moves the foot `p = c − f d` along the line, at right angles to where it ought
-/// to be, and so counts by its square only. In other directions `p` is off by `η`: the roundings of `c` and of
-/// `d`, the product and the difference, `(o + e + 2) u`. So `|p|²` is off by `η (2|p| + η) + |δ d|²`.
+/// The rounding errors of a chord, in units of `size`.
+// An error δ of f = c·d/a moves the foot p = c − f d along the line, at right angles to its true
+// position, and so counts by its square only. In other directions p has an error η from the
+// roundings of c and d, the product and the difference. So |p|² is off by η (2|p| + η) + |δ d|².
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Roundings {
-    /// What `f` is off by, and the sum.
+    /// The error of `f` and of the sum with half the chord.
     along: f64,
-    /// What the foot is off by across the line.
+    /// The error of the foot across the line.
     across: f64,
 }
 
 impl Roundings {
-    /// Of a ball as it is: `c` is rounded twice and `d` is exact; but `a` is said to be 1, so that `f` is off
-    /// by 8 u for the length of `d`, where others have 4 for `a` and the division.
+    /// The errors for a sphere, with `a` taken to be 1.
     pub(super) const OF_BALL: Self = Self {
-        along: 15.0 * UNIT,
-        across: 5.0 * UNIT,
+        along: BALL_ALONG,
+        across: BALL_ACROSS,
     };
 
-    /// Of an ellipsoid in the space where it is a ball: both are multiplied by the reciprocals of the axes,
-    /// one more. That these are rounded, too, is as if the axes were: the same for `c` and `d`.
+    /// The errors for an ellipsoid, in the space where it is a sphere.
     pub(super) const OF_ELLIPSOID: Self = Self {
-        along: 15.0 * UNIT,
-        across: 7.0 * UNIT,
+        along: ELLIPSOID_ALONG,
+        across: ELLIPSOID_ACROSS,
     };
 }
 
-/// The quadratic equation `a t² − 2 b t + c = 0` of the distances at which a ray meets a round
-/// surface, exactly.
+/// The exact equation `a t² − 2 b t + c = 0` of the distances of a round surface.
 #[derive(Debug)]
 pub(super) struct Quadratic {
     pub(super) a: Exact,
     pub(super) b: Exact,
     pub(super) c: Exact,
-    /// How far at most the ray's origin is from where it ought to be.
+    /// The error bound of the ray's origin.
     pub(super) rounding: f64,
 }
 
 impl Chord {
-    /// The chord of a line from `origin`, a vector from the centre, along `dir`; `None` where the
-    /// line certainly leads away from the ball or passes by.
+    /// The chord of a line from `origin`, a vector from the centre, along `dir`.
     ///
-    /// `size` bounds the sum of the lengths that `origin` was computed from.
+    /// `None` if the line certainly misses the sphere or leads away from it. `size` bounds the sum
+    /// of the lengths that `origin` was computed from.
     #[inline(always)]
     pub(super) fn new(
         origin: DVec3,
@@ -84,18 +78,16 @@ impl Chord {
         radius: f64,
         roundings: Roundings,
     ) -> Option<Self> {
-        // The terms of the discriminant `(c·d)² − a (c·c − r²)` have up to 21 roundings.
-        const OF_DISCRIMINANT: f64 = 64.0 * UNIT;
         let along = origin.dot(dir);
-        // Most lines pass by so clearly that even the cancelling form says so. No term of it is
-        // larger than `a (size² + r²)`.
+        // Most lines miss so clearly that even the cancelling form decides. No term of it is
+        // larger than a (size² + r²).
         let discriminant =
             along * along - speed_squared * (origin.length_squared() - radius * radius);
         let largest = speed_squared * (size * size + radius * radius);
-        if discriminant < -OF_DISCRIMINANT * largest {
+        if discriminant < -DISCRIMINANT * largest {
             return None;
         }
-        // With a direction longer than 1, `along` is larger as well, and so is what it is off by.
+        // With a direction longer than 1, `along` is larger as well, and so is its error.
         if along > roundings.along * size * dir.abs().element_sum() {
             return None;
         }
@@ -109,7 +101,7 @@ impl Chord {
         ))
     }
 
-    /// The chord of a line, whichever way it leads.
+    /// The chord of a line, also if it leads away.
     #[inline(always)]
     pub(super) fn of_line(
         origin: DVec3,
@@ -119,7 +111,7 @@ impl Chord {
         radius: f64,
         roundings: Roundings,
     ) -> Self {
-        let (doubt, across) = (roundings.along * size, roundings.across * size);
+        let (along, across) = (roundings.along * size, roundings.across * size);
         let foot = origin.dot(dir) / speed_squared;
         let nearest = origin - dir * foot;
         let (nearest_squared, radius_squared) = (nearest.length_squared(), radius * radius);
@@ -127,42 +119,41 @@ impl Chord {
             ahead: -foot,
             half_squared: radius_squared - nearest_squared,
             speed_squared,
-            doubt,
-            half_squared_doubt: of_squares(nearest_squared + radius_squared, across, radius)
-                + doubt * doubt,
+            ahead_error: along,
+            half_squared_error: of_squares(nearest_squared + radius_squared, across, radius)
+                + along * along,
         }
     }
 
-    /// The distance at which the line enters the ball, and how far at most it is from the exact
-    /// one; `None` if the line passes by or only touches, or starts inside or leads away.
+    /// The distance at which the line enters the sphere, and its error bound.
     ///
-    /// `astray` bounds how far the ray's origin can be from where it ought to be.
+    /// `None` if the line misses, touches, starts inside or leads away. `origin_error` bounds the
+    /// error of the ray's origin.
     #[inline(always)]
     pub(super) fn entry(
         &self,
-        astray: f64,
+        origin_error: f64,
         equation: impl FnOnce() -> Quadratic,
     ) -> Option<(f64, f64)> {
-        if self.half_squared < -self.half_squared_doubt {
+        if self.half_squared < -self.half_squared_error {
             return None;
         }
-        if self.half_squared > self.half_squared_doubt {
+        if self.half_squared > self.half_squared_error {
             let speed = self.speed_squared.sqrt();
             let half = self.half_squared.sqrt();
             let (t, error) = (self.ahead - half / speed, self.error(half, speed));
-            if t > error + astray / speed {
+            if t > error + origin_error / speed {
                 return Some((t, error));
             }
-            if t < -error - astray / speed {
+            if t < -error - origin_error / speed {
                 return None;
             }
         }
         self.exact_entry(equation)
     }
 
-    /// [`entry`](Self::entry) where rounded values leave doubt.
-    ///
-    /// A ray that starts on something that touches the ball is not inside of it.
+    /// [`entry`](Self::entry) by exact arithmetic.
+    // A ray that starts on a surface that touches the sphere is not inside of it.
     #[cold]
     #[inline(never)]
     fn exact_entry(&self, equation: impl FnOnce() -> Quadratic) -> Option<(f64, f64)> {
@@ -179,10 +170,9 @@ impl Chord {
         met.then(|| (above_zero(t), error))
     }
 
-    /// The distance at which a line from inside comes out, and how far at most it is from the
-    /// exact one.
+    /// The distance at which a line from inside leaves, and its error bound.
     ///
-    /// What starts inside comes out ahead, even if rounding has put its start outside.
+    /// The distance is positive even if rounding has put the start outside.
     pub(super) fn exit(&self) -> (f64, f64) {
         let speed = self.speed_squared.sqrt();
         let half = self.half_squared.max(0.0).sqrt();
@@ -190,59 +180,58 @@ impl Chord {
         (above_zero(t), self.error(half, speed))
     }
 
-    /// The same for a line that starts on the ball and leads inside: the whole chord is twice the
-    /// way to its middle. Nothing cancels, and the start itself is no solution.
+    /// The same for a line that starts on the sphere and leads inside.
+    ///
+    /// The chord is twice the distance to its middle. Nothing cancels, and the start is no
+    /// solution.
     pub(super) fn whole(&self) -> (f64, f64) {
-        let error = self.doubt / self.speed_squared.sqrt();
+        let error = self.ahead_error / self.speed_squared.sqrt();
         (above_zero(2.0 * self.ahead), 2.0 * error)
     }
 
-    /// How far at most the distances of both ends are off.
+    /// The error bound of the distances of both ends.
     pub(super) fn error_of_end(&self) -> f64 {
         self.error(self.half_squared.max(0.0).sqrt(), self.speed_squared.sqrt())
     }
 
-    /// How far at most the distance is off.
-    ///
-    /// `|√(x + e) − √x|` is at most `|e| / (√x + √(x − |e|))`, and `√(x − |e|)` no less than `√x − |e|/√x`;
-    /// nor is it ever more than `√|e|`. Eight more in half of the chord are for both roots, for `a`, for the
-    /// division and the sum.
+    /// The error bound of a distance.
+    // |√(x + e) − √x| is at most |e| / (√x + √(x − |e|)), where √(x − |e|) is at least √x − |e|/√x.
+    // It is never more than √|e|.
     fn error(&self, half: f64, speed: f64) -> f64 {
-        let off = self.half_squared_doubt;
+        let off = self.half_squared_error;
         let of_half = if half * half > off {
             off * half / (2.0 * half * half - off)
         } else {
             off.sqrt()
         };
-        (self.doubt + of_half + 8.0 * UNIT * half) / speed
+        (self.ahead_error + of_half + HALF_CHORD * half) / speed
     }
 }
 
 impl Quadratic {
-    /// The distance at which the ray enters; of use only where it does.
+    /// The distance at which the ray enters; meaningless if it misses.
     pub(super) fn entry(self) -> Option<Distance> {
         Some(Distance::smaller_root(self.a, self.b, &self.c))
     }
 
-    /// The distance at which a ray from inside comes out.
+    /// The distance at which a ray from inside leaves.
     pub(super) fn exit(self) -> Option<Distance> {
         if (&self.b.squared() - &(&self.a * &self.c)).sign() == Sign::Negative {
-            // Rounding has put the start outside, and the line past the ball.
+            // Rounding has put the start outside, and the line misses the sphere.
             return Some(Distance::quotient(self.b, self.a));
         }
         Some(Distance::larger_root(self.a, self.b, &self.c))
     }
 
-    /// The distance at which a ray that starts on the surface, `c = 0`, comes out.
+    /// The distance at which a ray that starts on the surface, `c = 0`, leaves.
     pub(super) fn whole(self) -> Option<Distance> {
         Some(Distance::quotient(&self.b + &self.b, self.a))
     }
 }
 
-/// The sign of `|origin|² − r²`: negative inside of a ball; `None` where rounding leaves doubt.
+/// The sign of `|origin|² − r²`, negative inside; `None` if uncertain.
 ///
-/// `size` and `origin` are as for a [`Chord`]; `rounding` bounds how far the origin can be from
-/// where it ought to be.
+/// `size` and `origin` are as for a [`Chord`]; `rounding` bounds the error of the ray's origin.
 pub(super) fn side_of_ball(
     origin: DVec3,
     size: f64,
@@ -251,39 +240,35 @@ pub(super) fn side_of_ball(
     roundings: Roundings,
 ) -> Option<Sign> {
     let (squared, radius_squared) = (origin.length_squared(), radius * radius);
-    let doubt = of_squares(
+    let bound = of_squares(
         squared + radius_squared,
         roundings.across * size + rounding,
         radius,
     );
     let height = squared - radius_squared;
-    (height.abs() > doubt).then(|| Sign::of(height))
+    (height.abs() > bound).then(|| Sign::of(height))
 }
 
-/// How far at most the difference of `x²` and `r²` is from the exact one, if their sum is this and
-/// `x` is off by `doubt` at most.
+/// The error bound of `x² − r²`, from the sum of both squares and the error of `x`.
 #[inline(always)]
-fn of_squares(squares: f64, doubt: f64, radius: f64) -> f64 {
-    // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r. The sum of squares has three roundings, and the
-    // difference one. And a ball's r² has one, while an ellipsoid's axes may be off by u, and so its square by 2 u.
-    doubt * (squares / radius + doubt) + 5.0 * UNIT * squares
+fn of_squares(squares: f64, error: f64, radius: f64) -> f64 {
+    // A square changes by δ (2|x| + δ), and 2|x| ≤ x²/r + r.
+    error * (squares / radius + error) + SQUARES * squares
 }
 
-/// A distance that is known to be above zero.
+/// A distance limited to numbers above zero.
 fn above_zero(t: f64) -> f64 {
     t.max(f64::from_bits(1))
 }
 
-/// Whether a place lies beyond the point at which a line is nearest to a ball's centre; the sum of
-/// `parts` leads there from the centre, and `exact` is its scalar product with the line's direction.
+/// Returns whether a point is beyond the foot of a sphere's centre on a line.
+///
+/// The sum of `parts` leads from the centre to the point; `exact` is its product with `dir`.
 #[inline]
 pub(super) fn is_beyond(parts: [DVec3; 2], dir: DVec3, exact: impl FnOnce() -> Exact) -> bool {
-    // Two roundings in the way and, in the space of an ellipsoid, two in both; a product and two
-    // sums.
-    const ROUNDINGS: f64 = 9.0 * UNIT;
     let [near, far] = parts;
     let along = (near + far).dot(dir);
-    if along.abs() > ROUNDINGS * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
+    if along.abs() > NEAREST * (near.abs() + far.abs()).dot(dir.abs()) + UNDERFLOW {
         return along > 0.0;
     }
     let along = exact();
@@ -317,7 +302,7 @@ mod tests {
         assert_eq!(entry([0.0, 0.0, 5.0]), Some(4.0));
         assert_eq!(entry([1.0, 0.0, 5.0]), None);
         assert_eq!(entry([0.0, 0.0, 0.0]), None);
-        // On the ball itself the distance is zero, which does not count.
+        // On the sphere itself the distance is zero, which does not count.
         assert_eq!(entry([0.0, 0.0, 1.0]), None);
         assert_eq!(entry([0.0, 0.0, -5.0]), None);
     }

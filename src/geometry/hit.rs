@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::math::{Point, Rgb};
 
-/// Where a ray meets a shape.
+/// The hit of a ray on a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// Distance along the ray; above zero.
@@ -15,16 +15,18 @@ pub struct Hit {
     pub point: Point,
     /// The unit normal as the shape has it, on whichever side the ray came.
     pub normal: DVec3,
-    /// The shape's own coordinates: on a rectangle the chapter's `lasthit`, the offset from its
-    /// corner along x and y in world units; on a tiled plane, once resolved, the tile's numbers;
-    /// zero elsewhere.
+    /// The shape's own coordinates.
+    ///
+    /// On a rectangle the chapter's `lasthit`: the offset from its corner along x and y, in world
+    /// units. On a tiled plane, once resolved, the numbers of the tile. Zero elsewhere.
     pub uv: DVec2,
-    /// The colour of the surface's image, once
-    /// [resolved](crate::surface::Surface::resolve); white before, and without an image.
+    /// The colour of the image, once resolved; white before, and without an image.
+    ///
+    /// See [`Surface::resolve`](crate::surface::Surface::resolve).
     pub texel: Rgb,
 }
 
-/// The exact place of a hit in what covers a surface.
+/// The exact texel or tile of a hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolved {
     /// The coordinates, as in a [`Hit`].
@@ -34,14 +36,14 @@ pub struct Resolved {
 }
 
 impl Hit {
-    /// The hit at its exact place in the cover.
+    /// The hit with its exact texel or tile.
     #[must_use]
     #[inline(always)]
     pub fn resolved(self, Resolved { uv, texel }: Resolved) -> Self {
         Self { uv, texel, ..self }
     }
 
-    /// A hit on a shape that has no coordinates of its own.
+    /// A hit on a shape without coordinates of its own.
     #[inline(always)]
     pub(super) fn new(t: f64, error: f64, point: Point, normal: DVec3) -> Self {
         Self {

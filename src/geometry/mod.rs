@@ -33,10 +33,6 @@ use round::Round;
 
 /// The geometry of a surface.
 #[derive(Debug, Clone)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "most surfaces of most scenes are rectangles, and a box would cost every test a fetch"
-)]
 pub enum Shape {
     /// An unbounded plane.
     Plane(Plane),
@@ -77,7 +73,7 @@ macro_rules! variants {
 variants!(Plane, Rectangle, Triangle, Sphere, Ellipsoid);
 
 impl Shape {
-    /// The same shape, whose inside rays can hit if `is_entered`; only round shapes have an inside.
+    /// The same shape; rays can hit its inside if `is_entered` and it is round.
     #[must_use]
     pub fn entered(self, is_entered: bool) -> Self {
         match self {
@@ -95,20 +91,23 @@ impl Shape {
 
     /// The nearest hit of a ray in a span of distances.
     ///
-    /// A ray that leaves a plane must not be tested against it again: a line meets a plane once.
+    /// A ray that leaves a plane must not be tested against it again: a line crosses a plane once.
     #[must_use]
     #[inline(always)]
     pub fn intersect(&self, ray: &Ray, span: Span) -> Option<Hit> {
         each!(self, shape => shape.intersect(ray, span))
     }
 
-    /// The nearest hit ahead of each of some rays that start in free space.
+    /// Adds the nearest hit ahead of each of some rays that start in free space.
     ///
-    /// The result is that of [`intersect`](Self::intersect). The choice of the shape is made once,
+    /// The hits are those of [`intersect`](Self::intersect). The choice of the shape is made once,
     /// so the tests of one ray need not wait for those of another.
     pub fn intersect_batch(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         each!(self, shape => for (ray, hit) in rays.iter().zip(hits) {
-            *hit = shape.intersect(ray, Span::AHEAD);
+            // A hit is large, so it is made in its place.
+            if let Some(found) = shape.intersect(ray, Span::AHEAD) {
+                *hit = Some(found);
+            }
         });
     }
 
@@ -121,19 +120,19 @@ impl Shape {
         each!(self, shape => shape.occludes(segment, end))
     }
 
-    /// The side of the shape that a point is on, exactly; inside of a round shape is its back.
+    /// The exact side of a point; inside of a round shape is its back.
     #[must_use]
     pub fn side(&self, point: &Point) -> Side {
         each!(self, shape => shape.side(point))
     }
 
-    /// The exact distance at which a ray meets the shape; of use only where the ray hits it.
+    /// The exact distance of a ray's hit; meaningless if the ray misses.
     #[must_use]
     pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         each!(self, shape => shape.exact_distance(ray))
     }
 
-    /// An error bound of a hit's distance that depends only on the way between both ends.
+    /// An error bound of a hit's distance, from the vector between both ends.
     ///
     /// The hit's own bound is cheaper, and grows with the coordinates of both ends.
     #[must_use]
@@ -141,7 +140,7 @@ impl Shape {
         each!(self, shape => hit.error.min(shape.distance_error(ray, hit)))
     }
 
-    /// The point that the scene gives for it: a point of the plane, a corner, or the centre.
+    /// The point given in the scene: a point of the plane, a corner, or the centre.
     #[must_use]
     pub fn anchor(&self) -> DVec3 {
         match self {
@@ -153,7 +152,7 @@ impl Shape {
         }
     }
 
-    /// The shape as one that lies in a plane; `None` for a round one.
+    /// The shape as a planar one; `None` for a round one.
     #[must_use]
     pub fn planar(&self) -> Option<&dyn Planar> {
         match self {
@@ -164,7 +163,7 @@ impl Shape {
         }
     }
 
-    /// The same, to be changed.
+    /// The shape as a planar one, mutable.
     fn planar_mut(&mut self) -> Option<&mut dyn Planar> {
         match self {
             Self::Plane(plane) => Some(plane),
@@ -190,7 +189,7 @@ impl Shape {
         self.planar().map(Planar::carrier)
     }
 
-    /// The corners of a flat shape, in order around it; empty if it is unbounded or round.
+    /// The corners of a flat shape, in order; empty if it is unbounded or round.
     #[must_use]
     pub fn outline(&self) -> Vec<DVec3> {
         self.planar().map(Planar::outline).unwrap_or_default()
@@ -229,12 +228,11 @@ impl Shape {
     }
 
     /// A bound of the error of a hit point, per unit of error in the hit's distance.
-    ///
-    /// A point of a round shape is pushed back towards the centre, and so slides along the surface by
-    /// 1 / cos of the angle between the normal and the direction from the centre: for half axes `a ≥ b`
-    /// by at most `(a/b + b/a) / 2`.
     #[must_use]
     pub fn point_error(&self) -> f64 {
+        // A point of a round shape is pushed back towards the centre. It slides along the surface
+        // by 1 / cos of the angle between the normal and the direction from the centre: for half
+        // axes a ≥ b by at most (a/b + b/a) / 2.
         self.round().map_or(FLAT_SLIP, |[_, axes]| {
             let ratio = axes.max_element() / axes.min_element();
             ROUND_SLIP * 0.5 * (ratio + ratio.recip())

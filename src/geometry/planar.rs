@@ -7,11 +7,11 @@ use glam::DVec3;
 use crate::math::exact::ExactVector;
 use crate::math::{ExactGeometry, Flat, Line};
 
-/// A shape that lies in a plane, with straight borders if it is bounded.
+/// A shape in a plane, with straight borders if it is bounded.
 ///
 /// Borders and corners are listed in one order: that of the exact geometry.
 pub trait Planar: fmt::Debug {
-    /// The plane that the shape lies in.
+    /// The carrier plane.
     fn carrier(&self) -> &Flat;
 
     /// The plane and the borders as the scene file has them, without rounding.
@@ -20,7 +20,7 @@ pub trait Planar: fmt::Debug {
     /// Takes over the plane and the borders that the shape shares with others.
     fn share(&mut self, plane: &Flat, borders: &[Option<Line>]);
 
-    /// The corners, counter-clockwise as seen from the front; empty if the shape is unbounded.
+    /// The corners, counter-clockwise from the front; empty if unbounded.
     fn outline(&self) -> Vec<DVec3> {
         Vec::new()
     }

@@ -32,7 +32,7 @@ impl Plane {
         Attribute::new(
             "normal",
             Takes::Triple,
-            "the direction it faces; any length but zero",
+            "the normal; any length except zero",
         ),
     ];
 
@@ -56,7 +56,7 @@ impl Plane {
         Self::new(node.triple("point"), node.triple("normal"))
     }
 
-    /// The same plane, anchored near an eye that may be very far from its point; see [`Flat::near`].
+    /// The same plane, anchored near an eye that may be far away; see [`Flat::near`].
     ///
     /// Its hits are then no longer offsets from the scene's point.
     ///

@@ -23,16 +23,18 @@ use crate::math::{
     Span, inside_all,
 };
 
-/// A rectangle with its lower-left corner, its axes and its size; the chapter's `fplane_t`.
+/// A rectangle with its lower-left corner, axes and size; the chapter's `fplane_t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
-    /// The plane it lies in; its point is the lower-left corner.
+    /// The carrier plane; its point is the lower-left corner.
     pub flat: Flat,
     /// Its axes.
     pub frame: Frame,
     /// Width along x and height along y, in world units.
     pub size: DVec2,
-    /// A bound of the distance between its own borders and those that decide, rounding included.
+    /// A bound of the distance between its own borders and those that decide.
+    ///
+    /// Rounding is included.
     border_error: f64,
     /// The borders that decide: left, right, bottom and top.
     borders: [Line; 4],
@@ -47,22 +49,22 @@ impl Rectangle {
         Attribute::new(
             "normal",
             Takes::Triple,
-            "the direction it faces; any length but zero",
+            "the normal; any length except zero",
         ),
         Attribute::new(
             "xdir",
             Takes::Triple,
-            "where its own x grows; projected into the plane",
+            "direction of its own x axis; projected into the plane",
         ),
         Attribute::new(
             "dimensions",
             Takes::Pair(Range::Positive),
-            "width along x, height along y",
+            "width along its x axis, height along its y axis",
         )
         .unit("world units"),
     ];
 
-    /// A rectangle from its corner, the direction it faces, the direction of its x, and its size.
+    /// A rectangle from its corner, normal, x direction and size.
     ///
     /// # Errors
     /// Returns an error for a zero normal, an `xdir` that is zero or nearly parallel to it, and a
@@ -126,14 +128,14 @@ impl Rectangle {
         }
     }
 
-    /// The corners, rounded, counter-clockwise from the lower left as seen from the front.
+    /// The rounded corners, counter-clockwise from the lower left, seen from the front.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 4] {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         corners.map(|corner| self.point(corner * self.size).world())
     }
 
-    /// The nearest hit of a ray in a span of distances; its `uv` is the offset from the corner.
+    /// The nearest hit of a ray in a span; its `uv` is the offset from the corner.
     ///
     /// All four borders belong to the rectangle, except those that a neighbour owns.
     #[must_use]
@@ -152,7 +154,7 @@ impl Rectangle {
         self.hit(&self.flat.doubtful_crossing(ray)?, ray, span)
     }
 
-    /// The hit of a ray that crosses the plane there, if it lies inside and in the span.
+    /// The hit of a ray with this crossing, if it is inside and in the span.
     #[inline(always)]
     fn hit(&self, crossing: &Crossing, ray: &Ray, span: Span) -> Option<Hit> {
         if crossing.is_beyond(span) {
@@ -203,7 +205,7 @@ impl Rectangle {
         let mut bound = MOMENT_PER_HEIGHT * crossing.doubt + self.border_error;
         let exactly = || {
             let corners = || self.exact_corners();
-            // A copy, so that the crossing itself need not be in memory where there is no doubt.
+            // A copy, so that the crossing itself need not be in memory on the fast path.
             inside_all(&self.borders, corners, ray, &self.flat, &{ *crossing })
         };
 
@@ -228,14 +230,14 @@ impl Rectangle {
         inside.then(|| DVec2::new(x, y))
     }
 
-    /// The error bound of a scaled place for a ray nearly along the plane; `bound` is that of others.
+    /// The error bound of a scaled offset for a ray nearly along the plane.
     ///
-    /// The borders of such a ray are decided in the plane.
+    /// The borders of such a ray are decided in the plane. `bound` is the bound for other rays.
     #[cold]
     fn bound_of_grazing(&self, bound: f64, scaled: DVec2, scale: f64) -> f64 {
         // With the crossing p and the ray's part d' along the plane, a·(d × p) is the distance from
-        // the border in the plane, times D, plus a·(d' × p). The latter is at most the height of the
-        // border's point above the plane, and for each unit from there to the crossing what the
+        // the border in the plane, times D, plus a·(d' × p). The latter is at most the height of
+        // the border's point above the plane, and for each unit from there to the crossing what the
         // border rises: no more than from one end to the other of the shortest side, if both ends
         // are as far off as they can be.
         let far = scaled.abs().element_sum() / scale + self.size.element_sum();

@@ -7,12 +7,12 @@ use super::chord::{Chord, Quadratic, Roundings, is_beyond, side_of_ball};
 use crate::math::exact::{Distance, Exact, Sign};
 use crate::math::{Point, Ray, Segment, Side, Span, direction};
 
-/// A round shape, which is a ball around the origin in a space of its own.
+/// A round shape: a sphere around the origin in a space of its own.
 ///
-/// Its outside is hit. Its inside is hit only if [`is_entered`](Self::is_entered): then a ray that
-/// starts inside hits the far side.
+/// Rays hit the outside. Rays that start inside hit the far side if
+/// [`is_entered`](Self::is_entered).
 pub(super) trait Round {
-    /// The rounding errors of values in the space of the ball.
+    /// The rounding errors in the space of the sphere.
     const ROUNDINGS: Roundings;
 
     /// Centre and half axes.
@@ -21,22 +21,22 @@ pub(super) trait Round {
     /// Returns whether rays can be inside: the surface refracts.
     fn is_entered(&self) -> bool;
 
-    /// The radius of the ball.
+    /// The radius of the sphere.
     fn ball_radius(&self) -> f64;
 
-    /// A vector from the centre, in the space of the ball.
+    /// A vector from the centre, in the space of the sphere.
     fn in_ball(&self, vector: DVec3) -> DVec3;
 
-    /// The unit normal where a unit vector of the ball's space leaves it.
+    /// The unit normal where a unit vector of that space points.
     fn normal(&self, on_ball: DVec3) -> DVec3;
 
     /// The largest factor by which [`in_ball`](Self::in_ball) makes a vector longer.
     fn most_stretch(&self) -> f64;
 
-    /// The exact equation of the distances at which a ray meets the surface.
+    /// The exact equation of the distances at which a ray hits the surface.
     fn equation(&self, ray: &Ray) -> Quadratic;
 
-    /// The exact scalar product of two vectors in the space of the ball, times a positive factor.
+    /// The exact scalar product in the space of the sphere, times a positive factor.
     fn exact_dot(&self, from_center: &Point, dir: DVec3) -> Exact;
 
     /// The distance at which a ray from outside enters, and its error bound.
@@ -71,8 +71,8 @@ pub(super) trait Round {
         let Some((t, error)) = self.entry(&segment.ray) else {
             return false;
         };
-        // The line is nearest to the centre inside, so an end outside lies before or beyond that
-        // place together with the whole ball.
+        // Inside, the line passes the point nearest to the centre. An end outside is before or
+        // beyond both that point and the whole sphere.
         let dir = segment.ray.dir;
         let parts = segment.end.parts_from(self.extent()[0]);
         let beyond = || {
@@ -84,7 +84,7 @@ pub(super) trait Round {
         (end == Side::Back || beyond()) && segment.admits(t, || error, None)
     }
 
-    /// The exact distance at which a ray meets the surface.
+    /// The exact distance at which a ray hits the surface.
     fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         let equation = self.equation(ray);
         if !self.is_entered() {
@@ -98,10 +98,10 @@ pub(super) trait Round {
         }
     }
 
-    /// An error bound of a hit's distance, from the vector between centre and ray origin.
+    /// An error bound of a hit's distance, from the centre-to-origin vector.
     fn distance_error(&self, ray: &Ray, hit: &Hit) -> f64 {
         let is_entry = !self.is_entered() || self.start(ray) == Start::Outside;
-        // Where a ray leaves, the hit's own bound depends on no more than that vector, too.
+        // For a ray that leaves, the hit's own bound depends on that vector only, too.
         if is_entry {
             self.chord(ray).error_of_end()
         } else {
@@ -109,7 +109,7 @@ pub(super) trait Round {
         }
     }
 
-    /// The distance at which a ray meets the surface if rays can be inside, and its error bound.
+    /// The distance of a ray's hit if rays can be inside, and its error bound.
     fn distance_from_either_side(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self.start(ray) {
             Start::Inside => Some(self.chord(ray).exit()),
@@ -121,7 +121,8 @@ pub(super) trait Round {
 
     /// Returns whether a segment that starts inside passes through the surface.
     ///
-    /// `None` if it does not start there, or if rays cannot. `end` is the side of the segment's end.
+    /// `None` if it does not start there, or if rays cannot. `end` is the side of the segment's
+    /// end.
     fn lets_out(&self, segment: &Segment, end: Side) -> Option<bool> {
         if !self.is_entered() {
             return None;
@@ -138,7 +139,7 @@ pub(super) trait Round {
         }
     }
 
-    /// Where a ray starts.
+    /// The start of a ray relative to the shape.
     fn start(&self, ray: &Ray) -> Start {
         let [center, axes] = self.extent();
         // A ray that leaves this very surface is on the side to which it went.
@@ -147,9 +148,8 @@ pub(super) trait Round {
             Some(false) => return Start::Leaving,
             None => {}
         }
-        // Other starts are rounded, so close to the surface the side of the start says nothing. But
-        // the ray that arrived there did not cross the surface, so the side is the one on which that
-        // ray started.
+        // Other starts are rounded, so within rounding of the surface their side means nothing. The
+        // arriving ray did not cross the surface, so the side is that of its own start.
         let mut ray = *ray;
         loop {
             let (way, size) = ray.origin.seen_from(center);
@@ -176,7 +176,7 @@ pub(super) trait Round {
         }
     }
 
-    /// Returns whether a ray in free space starts inside, or on the surface and goes inside.
+    /// Returns whether a free ray starts inside, or on the surface and goes inside.
     fn exactly_inside(&self, ray: &Ray) -> bool {
         match self.side(&ray.origin) {
             Side::Back => true,
@@ -196,7 +196,7 @@ pub(super) trait Round {
     }
 }
 
-/// Where a ray starts, as seen from a round shape.
+/// The start of a ray relative to a round shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Start {
     /// Outside.

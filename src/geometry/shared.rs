@@ -10,58 +10,57 @@ use super::{Planar, Shape};
 use crate::math::exact::{RationalVector, decimal};
 use crate::math::{ExactGeometry, Line};
 
-/// How far apart planes or lines may be and still be one, in units of the last place of the
-/// largest coordinate, where they are sums or products of the numbers in the file.
+/// The largest distance between planes or lines that count as one.
 ///
-/// The corners of a wall along (1, 1, 0) are irrational, so whoever writes them down rounds them;
-/// and a scene that a program has scaled has every number rounded. Smaller, and decimals written to
-/// the last digit leave gaps; larger, and surfaces that are meant to be apart become one. What is a
-/// single number, such as the height of a floor, is the same only if the number is.
+/// It is in units in the last place of the largest coordinate, for sums or products of numbers in
+/// the file. Single numbers, such as the height of a floor, must be equal.
+// The corners of a wall along (1, 1, 0) are irrational, so their author rounds them. A scene scaled
+// by a program has every number rounded. A smaller tolerance leaves gaps between decimals written
+// to the last digit. A larger one joins surfaces that are meant to be apart.
 const ULPS: u8 = 8;
 
 /// A plane or a line that surfaces share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shared {
-    /// What is shared.
+    /// The type of the shared geometry.
     pub what: SharedKind,
-    /// The surfaces by their places in the file.
+    /// The surfaces by their positions in the file.
     pub surfaces: Vec<usize>,
-    /// How far apart they were at most in the file, in world units; 0 if its decimals agree.
+    /// The largest distance between them in the file, in world units; 0 if equal.
     pub distance: f64,
 }
 
-/// What surfaces can share.
+/// The types of shared geometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SharedKind {
-    /// The plane that they lie in.
+    /// A plane of several surfaces.
     Plane,
-    /// A line along which they meet from both sides.
+    /// A line with surfaces on both sides.
     Line,
 }
 
-/// Something with a position, on its way into a group of what is at one position.
+/// A plane or border to be grouped with others at its position.
 #[derive(Debug)]
 struct Member {
-    /// The position along the direction that the group shares.
+    /// The position along the direction of the group.
     position: RBig,
-    /// The largest coordinate that went into it.
+    /// The largest coordinate in the position.
     magnitude: f64,
-    /// Whether the position is a single number of the file.
+    /// True if the position is a single number of the file.
     single: bool,
     surface: usize,
     border: usize,
-    /// Whether normal or border point along the direction that the group shares.
+    /// True if normal or border point along the direction of the group.
     forward: bool,
-    /// Where a border begins and ends along that direction.
-    stretch: [RBig; 2],
+    /// Both ends of a border along that direction.
+    interval: [RBig; 2],
 }
 
 /// Lets surfaces that share a plane or a border line decide by the same numbers.
 ///
-/// Lines that surfaces meet from both sides are owned by those on one side, so that a ray
-/// through the line meets exactly one of two neighbours, of four around a corner, of three at a
-/// T-junction. A border that is not beside neighbours all along stays with its surface, or rays would
-/// pass where it has none.
+/// The surfaces on one side of a line own it. A ray through the line then hits exactly one of two
+/// neighbours, of four around a corner, or of three at a T-junction. A border without neighbours
+/// all along stays with its surface, or rays would pass where it has none.
 pub fn share(shapes: &mut [&mut Shape]) -> Vec<Shared> {
     let geometries = shapes.iter().map(|shape| shape.planar());
     let geometries: Vec<_> = geometries.map(|it| Some(it?.exact_geometry())).collect();
@@ -128,7 +127,7 @@ fn shared_borders(
     borders
 }
 
-/// An order of places and directions, so that what decides does not depend on the order of a file.
+/// An order of points and directions, independent of the order of the file.
 fn order(a: &[DVec3; 2], b: &[DVec3; 2]) -> Ordering {
     let numbers = |vectors: &[DVec3; 2]| vectors.map(|vector| vector.to_array()).concat();
     let (a, b) = (numbers(a), numbers(b));
@@ -136,7 +135,7 @@ fn order(a: &[DVec3; 2], b: &[DVec3; 2]) -> Ordering {
     orders.fold(Ordering::Equal, Ordering::then)
 }
 
-/// The surfaces in each plane, in file order; the planes too.
+/// The surfaces in each plane, in file order; the planes as well.
 fn planes(geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Member>> {
     let mut directions = Directions::default();
     for (surface, geometry) in geometries.iter().enumerate() {
@@ -174,8 +173,8 @@ fn lines(plane: &[Member], geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Memb
         };
         for (border, line) in geometry.borders.iter().enumerate() {
             let (direction, turned) = line.along.canonical();
-            // Seen along the shared normal, the outer side is to the left of a border, and to the
-            // right if its surface faces the other way or the shared direction is turned.
+            // Seen along the shared normal, the outer side is to the left of a border. It is to the
+            // right if its surface faces the other way or the shared direction is reversed.
             let forward = turned != one.forward;
             directions.put(direction, Member::new(one.surface, border, forward));
         }
@@ -196,16 +195,18 @@ fn lines(plane: &[Member], geometries: &[Option<ExactGeometry>]) -> Vec<Vec<Memb
             member.single = outer.is_along_an_axis() && across.is_zero();
             let ends = line.stretch.each_ref();
             let places = ends.map(|share| &line.point + &line.along.times(share));
-            member.stretch = places.map(|place| direction.dot(&place) / &unit);
-            member.stretch.sort();
+            member.interval = places.map(|place| direction.dot(&place) / &unit);
+            member.interval.sort();
         }
     })
 }
 
-/// Whether the borders on a line belong to their surfaces: those on one side do, and those on the other
-/// that are not beside them all along. So where tiles meet in a point it belongs to one of them at least.
+/// The ownership of a line by each border on it.
+///
+/// Borders on one side own it, as do those on the other without neighbours all along. A point where
+/// tiles meet belongs to at least one of them.
 fn owners(line: &[Member]) -> Vec<bool> {
-    let places = line.iter().flat_map(|member| &member.stretch);
+    let places = line.iter().flat_map(|member| &member.interval);
     let sizes = places.map(|place| place.to_f64().value().abs());
     let magnitudes = line.iter().map(|member| member.magnitude);
     let tolerance = tolerance(magnitudes.chain(sizes).fold(0.0, f64::max));
@@ -214,13 +215,13 @@ fn owners(line: &[Member]) -> Vec<bool> {
     line.iter().map(owned).collect()
 }
 
-/// The stretches of the forward borders in their order along the line; those that touch are one.
+/// The intervals of the forward borders along the line, joined where they touch.
 fn joined(line: &[Member], tolerance: &RBig) -> Vec<[RBig; 2]> {
     let forward = line.iter().filter(|border| border.forward);
-    let mut stretches: Vec<_> = forward.map(|border| border.stretch.clone()).collect();
-    stretches.sort();
+    let mut intervals: Vec<_> = forward.map(|border| border.interval.clone()).collect();
+    intervals.sort();
     let mut joined: Vec<[RBig; 2]> = Vec::new();
-    for [begin, end] in stretches {
+    for [begin, end] in intervals {
         match joined.last_mut() {
             Some([_, last]) if begin <= &*last + tolerance => {
                 if end > *last {
@@ -233,20 +234,20 @@ fn joined(line: &[Member], tolerance: &RBig) -> Vec<[RBig; 2]> {
     joined
 }
 
-/// Whether a border runs beside one of these stretches all along.
-fn is_covered(border: &Member, stretches: &[[RBig; 2]], tolerance: &RBig) -> bool {
-    let [begin, end] = &border.stretch;
-    let later = stretches.partition_point(|[first, _]| *first <= begin + tolerance);
-    let beside = later.checked_sub(1).and_then(|index| stretches.get(index));
-    beside.is_some_and(|[_, last]| *end <= last + tolerance)
+/// Returns whether a border is within one of these intervals.
+fn is_covered(border: &Member, intervals: &[[RBig; 2]], tolerance: &RBig) -> bool {
+    let [begin, end] = &border.interval;
+    let later = intervals.partition_point(|[first, _]| *first <= begin + tolerance);
+    let neighbor = later.checked_sub(1).and_then(|index| intervals.get(index));
+    neighbor.is_some_and(|[_, last]| *end <= last + tolerance)
 }
 
-/// How far apart positions may be and still be one, if this is the largest coordinate in them.
+/// The largest distance between equal positions, for this largest coordinate.
 fn tolerance(magnitude: f64) -> RBig {
     decimal(magnitude.next_up() - magnitude) * RBig::from(ULPS)
 }
 
-/// Members by the directions that they share, in the order in which those appear.
+/// Members by shared direction, in the order of first appearance.
 #[derive(Debug, Default)]
 struct Directions {
     all: Vec<(RationalVector, Vec<Member>)>,
@@ -262,10 +263,10 @@ impl Directions {
         self.all[index].1.push(member);
     }
 
-    /// The members of each direction, cut into groups of one position each; `place` gives them their
-    /// positions, where there is more than one surface.
+    /// The members of each direction, in groups of one position each.
     ///
-    /// A group has no two borders of a surface that it is on either side of.
+    /// `place` computes the positions if there is more than one surface. No group has two borders
+    /// of one surface on opposite sides.
     fn grouped(self, place: impl Fn(&RationalVector, &mut [Member])) -> Vec<Vec<Member>> {
         let mut groups: Vec<Vec<Member>> = Vec::new();
         for (direction, mut members) in self.all {
@@ -282,7 +283,7 @@ impl Directions {
             let mut in_group = HashSet::new();
             for member in members {
                 let last = groups.get_mut(start..).and_then(<[_]>::last_mut);
-                // The first lies lowest, so no other is further off.
+                // The first has the lowest position, so no other is further off.
                 let group = last.filter(|group| {
                     group.first().is_some_and(|first| first.is_at(&member))
                         && !in_group.contains(&(member.surface, !member.forward))
@@ -305,7 +306,7 @@ impl Directions {
 }
 
 impl Member {
-    /// A member whose position is not known yet.
+    /// A member without a position yet.
     fn new(surface: usize, border: usize, forward: bool) -> Self {
         Self {
             position: RBig::ZERO,
@@ -314,11 +315,11 @@ impl Member {
             surface,
             border,
             forward,
-            stretch: [RBig::ZERO, RBig::ZERO],
+            interval: [RBig::ZERO, RBig::ZERO],
         }
     }
 
-    /// Whether another member, of the same direction, has the same position.
+    /// Returns whether another member of the same direction has the same position.
     fn is_at(&self, other: &Self) -> bool {
         let apart = &other.position - &self.position;
         if apart.is_zero() {

@@ -19,7 +19,7 @@ use crate::math::error_bounds::{BALL_SIDE, UNDERFLOW};
 use crate::math::exact::{Exact, ExactVector, Sign};
 use crate::math::{Point, Ray, Side};
 
-/// A sphere, lit from outside, and seen from outside unless it is [entered](Self::entered).
+/// A sphere, lit from outside; visible from inside if [entered](Self::entered).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sphere {
     center: DVec3,

@@ -129,7 +129,9 @@ impl Triangle {
         self.flat.error(ray, hit.t)
     }
 
-    /// Returns whether the line of a ray passes inside; a border counts unless a neighbour owns it.
+    /// Returns whether the line of a ray passes inside.
+    ///
+    /// A border counts unless a neighbour owns it.
     fn contains_line(&self, ray: &Ray, crossing: &Crossing) -> bool {
         let sign = if crossing.rises { -1.0 } else { 1.0 };
         let exactly = || {
@@ -169,18 +171,18 @@ impl Triangle {
     /// The edge is decided in the plane, which the ray crosses at most `far` from a vertex.
     #[cold]
     fn rise(&self, edge: DVec3, far: f64) -> f64 {
-        // As on a rectangle this is the height of the edge above the plane, there, times its length.
-        // The vertices lie off the plane by the rounding of the normal, and by the distance to the
-        // shared plane that decides.
+        // As on a rectangle this is the height of the edge above the plane, there, times its
+        // length. The vertices lie off the plane by the rounding of the normal, and by the distance
+        // to the shared plane that decides.
         let length = edge.abs().element_sum();
         let around: f64 = self.edges.iter().map(|edge| edge.abs().element_sum()).sum();
         let error = self.border_error;
         (EXTENT * length + 2.0 * error) * far + (EXTENT * around + error) * length
     }
 
-    /// The hit point, moved onto the triangle if rounding has put it beside.
+    /// The hit point, moved onto the triangle if rounding has put it outside.
     ///
-    /// The crossing of a ray nearly along the plane is less certain than that it lies inside.
+    /// For a ray nearly along the plane, the hit is certain and its position is not.
     fn held(&self, point: Point) -> Point {
         let inward = [2, 0, 1].map(|index| {
             let way = point.from(self.vertices[index]);

@@ -1,25 +1,23 @@
-//! The scene language as data: what a scene may say, what one says, and what is wrong with it.
+//! The scene language as data: schemas, nodes, values, sources and diagnostics.
 //!
-//! Two readers turn text into [`Node`]s, one builder turns nodes into a scene, and every part of a
-//! scene can [describe](Node::new) itself as a node again. So the same few types carry a scene in
-//! both directions, and [`Schema`] is the only place where words, types and defaults are written.
+//! Two readers turn text into [`Node`]s, one builder turns nodes into a scene, and each part of a
+//! scene describes itself as a node again. A [`Schema`] is the only place that holds words, types
+//! and defaults.
 
-mod joined;
+mod diagnostic;
 mod node;
-mod problem;
+mod phrases;
 mod schema;
 mod source;
-mod suggest;
 mod value;
 mod value_error;
 mod words;
 
-pub use joined::joined;
+pub use diagnostic::{Diagnostic, Severity, render_diagnostics};
 pub use node::{Entry, Node};
-pub use problem::{Problem, Severity, render_problems};
+pub use phrases::{did_you_mean, joined};
 pub use schema::{Attribute, Default, Naming, Range, Reference, Schema, Takes};
 pub use source::{Location, Source, Sources};
-pub use suggest::did_you_mean;
 pub use value::Value;
 pub use value_error::ValueError;
 pub(crate) use words::words;

@@ -1,4 +1,4 @@
-//! What a scene says: one node of it, read from a file or described by a part of a scene.
+//! Nodes: the statements of a scene.
 
 use std::fmt;
 
@@ -6,12 +6,12 @@ use glam::{DVec2, DVec3};
 
 use super::{Attribute, Location, Schema, Value};
 
-/// A node whose words and types agree with its [`Schema`].
+/// A node of a scene; its words and types agree with its [`Schema`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
-    /// What kind of node it is.
+    /// Its kind.
     pub schema: &'static Schema,
-    /// The word that its file uses for that kind; messages use it too.
+    /// The word for its kind in its file and in messages.
     pub word: &'static str,
     /// Its name, if it has one.
     pub name: Option<String>,
@@ -21,13 +21,13 @@ pub struct Node {
     pub properties: Vec<Entry>,
     /// The attributes between its braces.
     pub attributes: Vec<Entry>,
-    /// Where its first line stands; `None` if it was not read from a file.
+    /// Place of its first line; `None` if it was not read from a file.
     pub location: Option<Location>,
-    /// Whether all of it was understood; of a node that was not, only the name counts.
-    pub sound: bool,
+    /// False if the reader reported an error in it; then only its name is used.
+    pub valid: bool,
 }
 
-/// One attribute or property that a node gives.
+/// One attribute or property of a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// The attribute's word, type and default.
@@ -36,12 +36,12 @@ pub struct Entry {
     pub value: Option<Value>,
     /// The settings on its line.
     pub properties: Vec<Self>,
-    /// Where it stands.
+    /// Its place in the file.
     pub location: Option<Location>,
 }
 
 impl Node {
-    /// A node of this kind that says nothing yet.
+    /// An empty node of a kind.
     #[must_use]
     pub fn new(schema: &'static Schema, name: Option<&str>) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl Node {
             properties: Vec::new(),
             attributes: Vec::new(),
             location: None,
-            sound: true,
+            valid: true,
         }
     }
 
@@ -68,7 +68,7 @@ impl Node {
     /// The same node with one more attribute.
     ///
     /// # Panics
-    /// If the node's schema does not know the word.
+    /// If the schema has no such attribute.
     #[must_use]
     pub fn with(self, word: &str, value: impl Into<Value>) -> Self {
         self.with_entry(word, Some(value.into()), &[])
@@ -77,7 +77,7 @@ impl Node {
     /// The same node with one more attribute and the settings on its line.
     ///
     /// # Panics
-    /// If the node's schema does not know a word.
+    /// If the schema has no such attribute or setting.
     #[must_use]
     pub fn with_entry(
         mut self,
@@ -99,7 +99,7 @@ impl Node {
         self
     }
 
-    /// The same node, its last attribute standing at this place.
+    /// The same node with a place for its last attribute.
     #[must_use]
     pub fn last_at(mut self, location: Location) -> Self {
         if let Some(last) = self.attributes.last_mut() {
@@ -111,7 +111,7 @@ impl Node {
     /// The same node with one more setting on its own line.
     ///
     /// # Panics
-    /// If the node's schema does not know the word.
+    /// If the schema has no such setting.
     #[must_use]
     pub fn with_property(mut self, word: &str, value: impl Into<Value>) -> Self {
         let attribute = find(self.schema.properties, word);
@@ -119,7 +119,7 @@ impl Node {
         self
     }
 
-    /// The attribute with this word, if the node gives it.
+    /// The attribute with this word, if the node has it.
     #[must_use]
     pub fn entry(&self, word: &str) -> Option<&Entry> {
         self.attributes
@@ -127,31 +127,31 @@ impl Node {
             .find(|entry| entry.attribute.word == word)
     }
 
-    /// The attribute's value, or its default; `None` if there is neither.
+    /// An attribute's value or default; `None` if it has neither.
     #[must_use]
     pub fn get(&self, word: &str) -> Option<Value> {
         value_or_default(&self.attributes, find(self.schema.all_attributes(), word))
     }
 
-    /// The value of a setting on the node's own line, or its default.
+    /// The value or default of a setting on the node's own line.
     #[must_use]
     pub fn property(&self, word: &str) -> Option<Value> {
         value_or_default(&self.properties, find(self.schema.properties, word))
     }
 
-    /// An attribute of three numbers; zero if it is neither given nor has a default.
+    /// An attribute of three numbers; zero if it has neither value nor default.
     #[must_use]
     pub fn triple(&self, word: &str) -> DVec3 {
         self.get(word).map_or(DVec3::ZERO, |value| value.triple())
     }
 
-    /// An attribute of two numbers; zero if it is neither given nor has a default.
+    /// An attribute of two numbers; zero if it has neither value nor default.
     #[must_use]
     pub fn pair(&self, word: &str) -> DVec2 {
         self.get(word).map_or(DVec2::ZERO, |value| value.pair())
     }
 
-    /// An attribute of one number; zero if it is neither given nor has a default.
+    /// An attribute of one number; zero if it has neither value nor default.
     #[must_use]
     pub fn number(&self, word: &str) -> f64 {
         self.get(word).map_or(0.0, |value| value.number())
@@ -163,14 +163,14 @@ impl Node {
         self.get(word).map(|value| value.number())
     }
 
-    /// An attribute that is a word, a name or a path; empty if neither given nor with a default.
+    /// A word, a name or a path; empty if it has neither value nor default.
     #[must_use]
     pub fn text(&self, word: &str) -> String {
         self.get(word)
-            .map_or(String::new(), |value| value.text().to_owned())
+            .map_or_else(String::new, |value| value.text().to_owned())
     }
 
-    /// Where to point for an attribute: at it, or at the node if the attribute is not given.
+    /// The place of an attribute or setting; the node's own if it is not given.
     #[must_use]
     pub fn place(&self, word: &str) -> Option<Location> {
         let property = || {
@@ -181,7 +181,7 @@ impl Node {
         entry.and_then(|entry| entry.location).or(self.location)
     }
 
-    /// The node without what its schema gives as default anyway.
+    /// The node without the attributes and settings that equal their defaults.
     #[must_use]
     pub fn without_defaults(mut self) -> Self {
         self.properties.retain(|entry| !entry.is_default());
@@ -205,13 +205,13 @@ impl Entry {
         }
     }
 
-    /// The value of a setting on the attribute's line, or its default.
+    /// The value or default of a setting on the attribute's line.
     #[must_use]
     pub fn property(&self, word: &str) -> Option<Value> {
         value_or_default(&self.properties, find(self.attribute.properties, word))
     }
 
-    /// Whether the default would be written alike; a zero with a sign is not the one without.
+    /// True if the default is written alike. A negative zero differs from zero.
     fn is_default(&self) -> bool {
         let written = |value: &Option<Value>| value.as_ref().map(Value::to_string);
         self.value.is_some() && written(&self.value) == written(&self.attribute.default.value())

@@ -1,7 +1,7 @@
-//! What a scene may say: the words, types, units and defaults of the scene language, as data.
+//! Schemas: the words, types, units and defaults of the scene language, as data.
 //!
-//! The readers check against it, `docs/scene-language.md` is compared with it, and `convert` leaves
-//! out what it gives as default.
+//! The readers check nodes against them, a test compares `docs/scene-language.md` with them, and
+//! `convert` omits values that equal their defaults.
 
 use super::{Value, joined, words};
 
@@ -10,15 +10,15 @@ use super::{Value, joined, words};
 pub struct Schema {
     /// The node's word in the scene file.
     pub word: &'static str,
-    /// What it is, in one sentence.
+    /// A description in one sentence.
     pub about: &'static str,
     /// Whether the node carries a name as its first argument.
     pub naming: Naming,
-    /// What follows the word (and the name) on the same line, if anything.
+    /// The value after the word and the name on the same line, if it takes one.
     pub value: Option<&'static Attribute>,
     /// `key=value` settings on the node's own line.
     pub properties: &'static [Attribute],
-    /// The attributes between the braces, in groups that several kinds may share.
+    /// The attributes between the braces, in groups that several kinds share.
     pub attributes: &'static [&'static [Attribute]],
 }
 
@@ -36,46 +36,46 @@ pub struct Attribute {
     pub word: &'static str,
     /// The type and number of its values.
     pub takes: Takes,
-    /// The unit of its values; empty where there is none.
+    /// The unit of its values; empty for numbers without one.
     pub unit: &'static str,
-    /// What holds when the scene does not say it.
+    /// The value of a missing attribute.
     pub default: Default,
     /// `key=value` settings on the attribute's line.
     pub properties: &'static [Self],
-    /// What it means, in one sentence.
+    /// A description in one sentence.
     pub about: &'static str,
 }
 
-/// Whether a node has a name.
+/// The name of a node: none, optional or required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Naming {
-    /// It has none: `image`, `camera`.
+    /// No name: `image`, `camera`.
     None,
-    /// It may have one: surfaces and lights.
+    /// An optional name: surfaces and lights.
     Optional,
-    /// It needs one, because others refer to it: materials and textures.
+    /// A required name, which other nodes refer to: materials and textures.
     Required,
 }
 
-/// What holds when an attribute is left out.
+/// The value of a missing attribute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Default {
-    /// It may not be left out.
+    /// No value: a missing attribute is an error.
     Required,
-    /// Nothing: the effect it stands for is absent.
+    /// No value: the effect is absent.
     Absent,
-    /// This number.
+    /// A number.
     Number(f64),
-    /// These three numbers.
+    /// Three numbers.
     Triple([f64; 3]),
-    /// This word.
+    /// A word.
     Word(&'static str),
-    /// This answer.
+    /// `#true` or `#false`.
     Flag(bool),
 }
 
 impl Default {
-    /// The value that holds, if there is one.
+    /// The value, if there is one.
     #[must_use]
     pub fn value(self) -> Option<Value> {
         match self {
@@ -91,7 +91,7 @@ impl Default {
 /// The type of an attribute's value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Takes {
-    /// Nothing: the attribute has properties only.
+    /// No value: the attribute has only properties.
     Nothing,
     /// One number.
     Number(Range),
@@ -105,7 +105,7 @@ pub enum Takes {
     NumberOrPair(Range),
     /// One of these words.
     Word(&'static [&'static str]),
-    /// The name of a node of this kind.
+    /// The name of a material or a texture.
     Name(Reference),
     /// A file, relative to the scene file.
     Path,
@@ -113,7 +113,7 @@ pub enum Takes {
     Flag,
 }
 
-/// What a name refers to.
+/// The kind of node that a name refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reference {
     /// A `material`.
@@ -127,7 +127,7 @@ words!(Reference {
     Texture: "texture",
 });
 
-/// The numbers that an attribute accepts; infinities and not-a-number are always refused.
+/// The range of numbers that an attribute takes, always without infinities and NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
     /// Any finite number.
@@ -136,24 +136,25 @@ pub enum Range {
     Positive,
     /// Zero or above.
     NotNegative,
-    /// Between two bounds, both allowed.
+    /// Between two bounds, bounds included.
     Between(f64, f64),
-    /// Between two bounds, neither allowed.
+    /// Between two bounds, bounds excluded.
     Inside(f64, f64),
-    /// A whole number between two bounds, both allowed.
+    /// A whole number between two bounds, bounds included.
     Whole(u32, u32),
 }
 
 impl Range {
-    /// The largest number that a scene may hold, but for directions, of which the length does not
-    /// count: 2²⁵⁰, about 1.8e75. Products of four such numbers and sums of a few such products
-    /// are still finite, so a scene of usual size can be scaled by 2²⁰⁰.
+    /// The largest number in a scene, about 1.8e75; directions may be longer.
+    ///
+    /// Products of four such numbers, and sums of a few such products, are finite. A scene of
+    /// usual size can be scaled by 2²⁰⁰.
     pub const LARGEST: f64 = f64::from_bits((1023 + 250) << 52);
 
-    /// The smallest radius of a round thing, 2⁻²⁵⁰: the squares of its reciprocal must be numbers.
+    /// The smallest radius, 2⁻²⁵⁰: the square of its reciprocal is finite.
     pub const SMALLEST_RADIUS: f64 = f64::from_bits((1023 - 250) << 52);
 
-    /// Whether a number lies in the range.
+    /// True if a number lies in the range.
     #[must_use]
     pub fn contains(self, number: f64) -> bool {
         number.is_finite()
@@ -169,7 +170,7 @@ impl Range {
             }
     }
 
-    /// Numbers of this range in words: `a number above 0`, `two whole numbers from 1 to 9`.
+    /// The range in words: `a number above 0`, `two whole numbers from 1 to 9`.
     #[must_use]
     pub fn words(self, article: &str, noun: &str) -> String {
         let numbers = format!("{article} {noun}");
@@ -185,7 +186,7 @@ impl Range {
 }
 
 impl Takes {
-    /// What is expected, in words: `three numbers`, `one of "clamp", "repeat"`.
+    /// The type in words: `three numbers`, `"clamp" or "repeat"`.
     #[must_use]
     pub fn words(&self) -> String {
         match self {
@@ -209,7 +210,7 @@ impl Takes {
 }
 
 impl Attribute {
-    /// An attribute without unit, default or properties; a start for the `const` tables.
+    /// A required attribute without unit and properties.
     #[must_use]
     pub const fn new(word: &'static str, takes: Takes, about: &'static str) -> Self {
         Self {
@@ -222,19 +223,19 @@ impl Attribute {
         }
     }
 
-    /// The same attribute in this unit.
+    /// The same attribute with a unit.
     #[must_use]
     pub const fn unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    /// The same attribute with this default.
+    /// The same attribute with a default.
     #[must_use]
     pub const fn or(self, default: Default) -> Self {
         Self { default, ..self }
     }
 
-    /// The same attribute, which may be left out.
+    /// The same attribute, optional and without a default.
     #[must_use]
     pub const fn optional(self) -> Self {
         Self {
@@ -249,7 +250,7 @@ impl Attribute {
         Self { properties, ..self }
     }
 
-    /// Whether only the direction of its three numbers counts.
+    /// True if it takes a vector of which only the direction counts.
     #[must_use]
     pub fn is_direction(&self) -> bool {
         self.takes == Takes::Triple && self.unit.is_empty()

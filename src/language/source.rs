@@ -1,11 +1,11 @@
-//! Where in the scene's text a thing stands.
+//! Source texts of a scene, and places in them.
 
 use std::sync::Arc;
 
-/// A stretch of one source text.
+/// A range of bytes of one source text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Location {
-    /// Index of the text in its [`Sources`].
+    /// Index of the text in [`Sources`].
     pub source: usize,
     /// First byte.
     pub start: usize,
@@ -13,23 +13,23 @@ pub struct Location {
     pub length: usize,
 }
 
-/// One scene file, or an included one.
+/// The text of a scene file or an included file.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// The file as the user would name it.
+    /// The file's name in messages.
     pub name: String,
     /// Its text.
     pub text: Arc<str>,
-    /// Where it was included, if it was.
+    /// Place of the `include` node, if it is included.
     pub included_at: Option<Location>,
 }
 
-/// All the texts that a scene was read from; the first is the scene file itself.
+/// The texts of a scene; the first is the scene file itself.
 #[derive(Debug, Clone, std::default::Default)]
 pub struct Sources(Vec<Source>);
 
 impl Sources {
-    /// Adds a text and gives its index.
+    /// Adds a text and returns its index.
     pub fn add(&mut self, source: Source) -> usize {
         self.0.push(source);
         self.0.len() - 1
@@ -46,19 +46,19 @@ impl Sources {
         self.0.iter()
     }
 
-    /// How many texts there are.
+    /// The number of texts.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether there is no text.
+    /// True if there is no text.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// `file:line:column` of a location's first byte, counted from 1, columns in characters.
+    /// `file:line:column` of a location's first byte, from 1, columns in characters.
     #[must_use]
     pub fn position(&self, location: Location) -> String {
         let source = self.get(location.source);
@@ -66,7 +66,7 @@ impl Sources {
         format!("{}:{line}:{column}", source.name)
     }
 
-    /// The places that include the text of a location, innermost first.
+    /// The `include` nodes that lead to the text of a location, innermost first.
     #[must_use]
     pub fn include_chain(&self, location: Location) -> Vec<Location> {
         std::iter::successors(self.get(location.source).included_at, |at| {
@@ -77,7 +77,7 @@ impl Sources {
 }
 
 impl Source {
-    /// Whether the line of a location and this many lines around it are short enough to be shown.
+    /// True if a location's line and `around` lines on both sides are short.
     #[must_use]
     pub fn lines_are_short(&self, at: Location, around: usize) -> bool {
         const LONGEST: usize = 400;
@@ -87,7 +87,7 @@ impl Source {
         lines.all(|line| line.len() <= LONGEST) && others.all(|line| line.len() <= LONGEST)
     }
 
-    /// Line and column of a byte, counted from 1, columns in characters.
+    /// Line and column of a byte, from 1, columns in characters.
     #[must_use]
     pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
         let end = self.text.floor_char_boundary(byte);

@@ -1,10 +1,10 @@
-//! One value of the scene language.
+//! Values of the scene language.
 
 use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-/// A number, a pair, a triple, a text or a yes/no, as it stands in a scene file.
+/// A value of an attribute.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// One number.
@@ -29,7 +29,7 @@ impl Value {
         }
     }
 
-    /// The pair; one number stands for two equal ones; zero for anything else.
+    /// The pair, or a number twice; zero for anything else.
     #[must_use]
     pub fn pair(&self) -> DVec2 {
         match self {
@@ -39,7 +39,7 @@ impl Value {
         }
     }
 
-    /// The triple; one number stands for three equal ones; zero for anything else.
+    /// The triple, or a number three times; zero for anything else.
     #[must_use]
     pub fn triple(&self) -> DVec3 {
         match self {
@@ -56,12 +56,6 @@ impl Value {
             Self::Text(text) => text,
             _ => "",
         }
-    }
-
-    /// The flag; `#false` for anything else.
-    #[must_use]
-    pub fn flag(&self) -> bool {
-        matches!(self, Self::Flag(true))
     }
 }
 
@@ -102,7 +96,7 @@ impl From<bool> for Value {
 }
 
 impl fmt::Display for Value {
-    /// Writes the value as KDL 2, so that reading it again gives the same bits.
+    /// Writes the value as KDL 2; reading it gives the same bits.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number(number) => write_number(out, *number),
@@ -125,7 +119,7 @@ fn write_numbers(out: &mut fmt::Formatter<'_>, numbers: &[f64]) -> fmt::Result {
     Ok(())
 }
 
-/// The shortest decimal that reads back to the same double; whole numbers without a point.
+/// Writes the shortest decimal of a double, whole numbers without a point.
 fn write_number(out: &mut fmt::Formatter<'_>, number: f64) -> fmt::Result {
     const LARGEST_PLAIN: f64 = 1e15;
     let whole = number.fract() == 0.0 && number.abs() < LARGEST_PLAIN;
@@ -137,7 +131,7 @@ fn write_number(out: &mut fmt::Formatter<'_>, number: f64) -> fmt::Result {
     }
 }
 
-/// A KDL quoted string.
+/// Writes a quoted KDL string.
 fn write_text(out: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
     out.write_str("\"")?;
     for character in text.chars() {
@@ -147,7 +141,7 @@ fn write_text(out: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
             '\n' => out.write_str("\\n")?,
             '\r' => out.write_str("\\r")?,
             '\t' => out.write_str("\\t")?,
-            other if other.is_control() || is_refused_by_kdl(other) => {
+            other if other.is_control() || needs_escape(other) => {
                 write!(out, "\\u{{{:x}}}", u32::from(other))?;
             }
             other => write!(out, "{other}")?,
@@ -156,9 +150,10 @@ fn write_text(out: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
     out.write_str("\"")
 }
 
-/// Whether a character that is no control character may not stand in a KDL string as it is: line
-/// ends, and marks that turn the direction of writing around.
-fn is_refused_by_kdl(character: char) -> bool {
+/// True for the printable characters that KDL strings hold only as escapes.
+///
+/// They are line separators, marks of the writing direction, and the byte order mark.
+fn needs_escape(character: char) -> bool {
     matches!(
         character,
         '\u{200e}'..='\u{200f}'

@@ -1,24 +1,24 @@
-//! Why a part of a scene cannot exist.
+//! Errors of constructors that build parts of a scene.
 
 use std::fmt;
 
-/// What a constructor says when its arguments make no sense together.
+/// An invalid value of an attribute.
 ///
-/// It names the attribute at fault, so that a reader can point at it in the scene file.
+/// It names the attribute, so that a reader can point at its place in the scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ValueError {
-    /// The word of the attribute at fault.
+    /// The word of the attribute.
     pub word: &'static str,
-    /// What is wrong, as a sentence without a full stop.
+    /// The error, as a sentence without a full stop.
     pub reason: String,
-    /// What to do about it.
+    /// Advice.
     pub advice: String,
-    /// What was expected there, if it is more than the attribute's type.
+    /// The expected value, if the attribute's type does not say it.
     pub expected: Option<String>,
 }
 
 impl ValueError {
-    /// A refusal of the attribute `word`.
+    /// An error in the attribute `word`.
     pub fn new(word: &'static str, reason: impl Into<String>, advice: impl Into<String>) -> Self {
         Self {
             word,
@@ -28,7 +28,7 @@ impl ValueError {
         }
     }
 
-    /// The same refusal, which says what was expected.
+    /// The same error with the expected value.
     #[must_use]
     pub fn expected(self, expected: impl Into<String>) -> Self {
         Self {

@@ -1,19 +1,18 @@
-//! What the values of a closed set are called.
+//! Words of closed sets in scenes and on the command line.
 
-/// Gives the values of an enum the words that scenes and the command line have for them.
+/// Implements `ALL`, `WORDS`, `word` and `from_word` for an enum.
 ///
-/// From `words!(BitDepth { Eight: "8", Sixteen: "16", Float: "float" })` the schema, the readers, the
-/// messages and the help of the command line know what may be said. A value without a word does not
-/// compile.
+/// `words!(BitDepth { Eight: "8", Sixteen: "16", Float: "float" })` gives each value the word that
+/// scenes, messages and the command line use. A value without a word does not compile.
 macro_rules! words {
     ($Set:ident { $($Value:ident: $word:literal),+ $(,)? }) => {
         impl $Set {
-            /// All of them.
+            /// All values.
             pub const ALL: [Self; [$($word),+].len()] = [$(Self::$Value),+];
             /// Their words, in the same order.
             pub const WORDS: [&'static str; Self::ALL.len()] = [$($word),+];
 
-            /// The word for it in a scene and on the command line.
+            /// The word in scenes and on the command line.
             #[must_use]
             pub const fn word(self) -> &'static str {
                 match self {
@@ -21,7 +20,7 @@ macro_rules! words {
                 }
             }
 
-            /// The one with this word.
+            /// The value with this word.
             #[must_use]
             pub fn from_word(word: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|it| it.word() == word)

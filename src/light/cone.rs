@@ -1,4 +1,4 @@
-//! The cone of a spotlight.
+//! Cones of spotlights.
 
 use glam::DVec3;
 
@@ -6,7 +6,7 @@ use super::{ATTRIBUTES, Light};
 use crate::language::{Attribute, Naming, Node, Range, Schema, Takes, ValueError};
 use crate::math::unit;
 
-/// A cone of light with a hard edge and no fall-off across it.
+/// A cone of light of constant intensity with a hard edge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
     point: DVec3,
@@ -37,16 +37,16 @@ impl Cone {
         ..Light::SCHEMA
     };
 
-    /// The cone from a location towards a point, with this half-angle in degrees.
+    /// The cone from a location towards a point; `theta` is the half-angle in degrees.
     ///
     /// # Errors
-    /// Refuses a light that points at itself.
+    /// Returns an error if location and point are equal.
     pub fn new(location: DVec3, point: DVec3, theta: f64) -> Result<Self, ValueError> {
         let axis = unit(point - location).ok_or_else(|| {
             ValueError::new(
                 "point",
                 "the spotlight points at its own location",
-                "give `point` another place, in the middle of what is to be lit",
+                "give `point` another position, on the axis of the cone",
             )
             .expected("expected another point than `location`")
         })?;
@@ -58,13 +58,13 @@ impl Cone {
         })
     }
 
-    /// Whether a unit direction from the light lies inside.
+    /// True if a unit direction from the light lies inside.
     #[must_use]
     pub fn contains(&self, direction: DVec3) -> bool {
         self.axis.dot(direction) > self.cosine
     }
 
-    /// The unit direction of its middle.
+    /// The unit direction of its axis.
     #[must_use]
     pub fn axis(&self) -> DVec3 {
         self.axis

@@ -1,4 +1,4 @@
-//! What illuminates: a point that shines everywhere, in a cone, or through a slide.
+//! Lights: points that shine in all directions, in a cone, or through a slide.
 
 mod cone;
 mod slide;
@@ -11,60 +11,62 @@ use glam::DVec3;
 use crate::language::{Attribute, Location, Naming, Node, Schema, Takes};
 use crate::math::{Point, Rgb};
 
-/// A light. Lights themselves are not seen.
+/// A point light. It is not visible itself.
 #[derive(Debug, Clone)]
 pub struct Light {
     /// Its name, if the scene gives one.
     pub name: Option<String>,
-    /// Where it shines from.
+    /// Its position in world units.
     pub location: DVec3,
-    /// How much light leaves it; divided by the distance on the way.
+    /// Its intensity, before it fades with the distance.
     pub emissivity: Rgb,
-    /// Where it shines to.
+    /// The directions of its light.
     pub beam: Beam,
-    /// Where it stands in the scene file, if it was read from one.
+    /// Its place in the scene file, if it was read from one.
     pub place: Option<Location>,
 }
 
-/// Where a light shines to.
+/// The directions of a light's emission.
 #[derive(Debug, Clone)]
 pub enum Beam {
-    /// In all directions: `light`.
+    /// All directions: `light`.
     Everywhere,
-    /// Into a cone: `spotlight`.
+    /// A cone: `spotlight`.
     Cone(Cone),
     /// Through a slide: `projector`.
     Slide(Box<Slide>),
 }
 
 const ATTRIBUTES: &[Attribute] = &[
-    Attribute::new("location", Takes::Triple, "where it shines from").unit("world units"),
-    Attribute::new("emissivity", Takes::Color, "how much light leaves it"),
+    Attribute::new("location", Takes::Triple, "its position").unit("world units"),
+    Attribute::new("emissivity", Takes::Color, "its intensity"),
 ];
 
 impl Light {
     /// The `light` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "light",
-        about: "A point that shines in all directions; it is not seen itself.",
+        about: "A point that shines in all directions; it is not visible itself.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
         attributes: &[ATTRIBUTES],
     };
 
-    /// The light that comes from where a unit direction leads to; `None` outside of the beam.
+    /// The light that arrives at a receiver; `None` outside of the beam.
+    ///
+    /// `to_light` is the unit direction from the receiver to the light.
     #[must_use]
     #[inline(always)]
-    pub fn seen_along(&self, direction: DVec3) -> Option<Rgb> {
+    pub fn incident(&self, to_light: DVec3) -> Option<Rgb> {
         match &self.beam {
             Beam::Everywhere => Some(self.emissivity),
-            _ => self.beam_towards(-direction),
+            _ => self.emitted(-to_light),
         }
     }
 
-    /// The light that leaves in a direction, if it is not the same in all of them.
-    fn beam_towards(&self, direction: DVec3) -> Option<Rgb> {
+    /// The light that leaves in a direction.
+    fn emitted(&self, direction: DVec3) -> Option<Rgb> {
         match &self.beam {
             Beam::Everywhere => Some(self.emissivity),
             Beam::Cone(cone) => cone.contains(direction).then_some(self.emissivity),

@@ -1,4 +1,4 @@
-//! The slide of a projector.
+//! Slides of projectors.
 
 use glam::DVec3;
 
@@ -9,14 +9,14 @@ use crate::math::{Point, Ray, Rgb, Span};
 use crate::surface::Textured;
 use crate::texture::TextureMap;
 
-/// A slide in front of a projector's lamp: it colours the light and is not seen itself.
+/// A slide in front of a projector. It colours the light and is not visible itself.
 #[derive(Debug, Clone)]
 pub struct Slide {
-    /// Its shape.
+    /// Its rectangle.
     pub rectangle: Rectangle,
     /// Its image.
     pub image: TextureMap,
-    /// Whether the scene gives the size of its texels.
+    /// True if the scene gives the size of its texels.
     pub texel_given: bool,
 }
 
@@ -24,13 +24,13 @@ impl Slide {
     /// The `projector` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "projector",
-        about: "A light that shines through a slide; outside of its beam it lights nothing.",
+        about: "A light that shines through a slide, and nowhere else.",
         attributes: &[ATTRIBUTES, Rectangle::ATTRIBUTES, Textured::ATTRIBUTES],
         naming: Naming::Optional,
         ..Light::SCHEMA
     };
 
-    /// The colour of the slide where light from the lamp crosses it; `None` if it does not.
+    /// The colour of the slide at a ray from the light; `None` for a miss.
     #[must_use]
     pub fn color(&self, lamp: Point, direction: DVec3) -> Option<Rgb> {
         let ray = Ray::new(lamp, direction);

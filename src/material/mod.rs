@@ -1,25 +1,28 @@
-//! How a surface answers light.
+//! Materials: the reflectivities of surfaces.
 
 use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, Value};
 use crate::math::Rgb;
 
-/// The reflectivities of a surface. They are divided by distances, so values above 1 are usual.
+/// The reflectivities of a surface.
+///
+/// The result is divided by distances, so values above 1 are usual.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     /// The name that surfaces use.
     pub name: String,
-    /// Reflectivity for light that is everywhere.
+    /// Reflectivity for ambient light.
     pub ambient: Rgb,
-    /// Reflectivity for light that comes from a light.
+    /// Reflectivity for the light of lights.
     pub diffuse: Rgb,
-    /// Reflectivity of the mirror that the surface is, and colour of its glints.
+    /// Reflectivity of the mirror, and colour of the specular highlights.
     pub specular: Rgb,
-    /// Exponent of the glint around a light's mirror image; 0 for none.
+    /// Exponent of the specular highlights; 0 for none.
     pub shininess: f64,
-    /// Share of the light that goes through, from 0 to 1.
+    /// Fraction of the light that passes through, from 0 to 1.
     pub transparency: f64,
-    /// Index of refraction of what is behind the surface, from 1 to 10; `None` for a thin one that
-    /// bends nothing and mirrors as `specular` says.
+    /// Index of refraction behind the surface, from 1 to 10.
+    ///
+    /// `None` for a thin surface: it does not refract, and it reflects by `specular`.
     pub ior: Option<f64>,
 }
 
@@ -27,74 +30,70 @@ impl Material {
     /// The `material` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "material",
-        about: "How a surface answers light.",
+        about: "The reflectivities of a surface.",
         naming: Naming::Required,
         value: None,
         properties: &[],
         attributes: &[&[
-            Attribute::new(
-                "ambient",
-                Takes::Color,
-                "reflectivity for light that is everywhere",
-            )
-            .or(Default::Number(0.0)),
+            Attribute::new("ambient", Takes::Color, "reflectivity for ambient light")
+                .or(Default::Number(0.0)),
             Attribute::new(
                 "diffuse",
                 Takes::Color,
-                "reflectivity for the light of the lights",
+                "reflectivity for the light of lights and lamps",
             )
             .or(Default::Number(0.0)),
             Attribute::new(
                 "specular",
                 Takes::Color,
-                "reflectivity of the mirror, and of glints",
+                "reflectivity of the mirror, and of specular highlights",
             )
             .or(Default::Number(0.0)),
             Attribute::new(
                 "shininess",
                 Takes::Number(Range::NotNegative),
-                "exponent of the glint of a light; the higher, the smaller; 0 for none",
+                "exponent of the specular highlights; larger is smaller; 0 for none",
             )
             .or(Default::Number(0.0)),
             Attribute::new(
                 "transparency",
                 Takes::Number(Range::Between(0.0, 1.0)),
-                "share of the light that goes straight through, tinted by `diffuse`",
+                "fraction of the light that passes straight through, tinted by `diffuse`",
             )
             .or(Default::Number(0.0)),
             Attribute::new(
                 "ior",
                 Takes::Number(Range::Between(1.0, 10.0)),
-                "index of refraction of what is behind the surface: glass 1.5, water 1.33; the \
-                 mirror is then Fresnel's, and what goes through is bent",
+                "index of refraction behind the surface: glass 1.5, water 1.33; it turns on \
+                 refraction and Fresnel reflection",
             )
             .optional(),
         ]],
     };
 
-    /// Whether lights make glints on it.
+    /// True if it shows specular highlights of lights.
     #[must_use]
-    pub fn has_glints(&self) -> bool {
+    pub fn has_highlights(&self) -> bool {
         self.shininess > 0.0 && !self.specular.is_black()
     }
 
-    /// Whether it mirrors what is before it.
+    /// True if it reflects rays.
     #[must_use]
     pub fn mirrors(&self) -> bool {
         self.ior.is_some() || !self.specular.is_black()
     }
 
-    /// Whether rays that meet it cause others.
+    /// True if a hit spawns reflected or transmitted rays.
     #[must_use]
-    pub fn sends_on(&self) -> bool {
+    pub fn spawns_rays(&self) -> bool {
         self.transparency > 0.0 || self.mirrors()
     }
 
-    /// The colour that light takes on its way through: `diffuse`, its largest channel made 1.
+    /// The colour of transmitted white light: `diffuse` divided by its largest channel.
     ///
-    /// A material without `diffuse` is clear.
+    /// Without `diffuse` it is white.
     #[must_use]
-    pub fn filter(&self) -> Rgb {
+    pub fn tint(&self) -> Rgb {
         let largest = self.diffuse.max_channel();
         if largest > 0.0 {
             self.diffuse / largest
@@ -103,7 +102,7 @@ impl Material {
         }
     }
 
-    /// Whether rays can be inside of what is made of it.
+    /// True if rays can travel inside of the material.
     #[must_use]
     pub fn is_entered(&self) -> bool {
         self.ior.is_some() && self.transparency > 0.0
@@ -125,7 +124,7 @@ impl Material {
     }
 }
 
-/// One number for a gray, three for anything else.
+/// One number for a gray, three numbers for another colour.
 fn gray_or_color(color: Rgb) -> Value {
     let [r, g, b] = color.channels().map(f64::to_bits);
     if r == g && g == b {

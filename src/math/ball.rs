@@ -1,11 +1,11 @@
-//! Balls around things, and cones that certainly miss them.
+//! Bounding spheres, and the cones that certainly miss them.
 
 use glam::DVec3;
 
-use super::error_bounds::{APART, UNIT};
+use super::error_bounds::{APART, POSITION};
 use super::{Bounds, Point};
 
-/// A ball around something; what is in it may lie beside it by a few roundings.
+/// A bounding sphere; its contents may lie outside by a few roundings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
     center: DVec3,
@@ -13,7 +13,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// The ball through the corners of a box.
+    /// The sphere through the corners of a box.
     #[must_use]
     pub fn around(bounds: &Bounds) -> Self {
         let center = bounds.min.midpoint(bounds.max);
@@ -29,11 +29,9 @@ impl Ball {
         self.radius
     }
 
-    /// The narrowest cone around it with its top in a place: the unit direction of its axis and its
-    /// half-angle in radians.
+    /// The narrowest cone around it from an apex: unit axis, half-angle in radians.
     ///
-    /// `None` if the place is so near that the angle changes fast, or so near beside its own size that
-    /// rounding counts.
+    /// `None` if the apex is so near that the angle changes fast or that rounding counts.
     #[must_use]
     pub fn cone_from(&self, place: DVec3) -> Option<(DVec3, f64)> {
         let way = self.center - place;
@@ -42,8 +40,9 @@ impl Ball {
         is_clear.then(|| (way / distance, libm::asin(self.radius / distance)))
     }
 
-    /// Whether it certainly lies outside of a cone with this top, this unit direction as axis, and
-    /// this half-angle in radians.
+    /// Returns whether the sphere certainly lies outside of a cone.
+    ///
+    /// The axis is a unit vector, the half-angle is in radians.
     #[must_use]
     pub fn is_outside(&self, top: DVec3, axis: DVec3, half_angle: f64) -> bool {
         self.cone_from(top).is_some_and(|(direction, own)| {
@@ -52,20 +51,20 @@ impl Ball {
         })
     }
 
-    /// Whether a way from another ball to this place, whose rounding is that of its whole length, passes this
-    /// one by an angle that is still known where both are in cones with their top in the place.
+    /// Returns whether rounding leaves the two spheres' cones from `place` apart.
+    ///
+    /// The rounding of a segment from the other sphere is that of its whole length.
     #[must_use]
     pub fn is_told_from(&self, place: DVec3, other: &Self) -> bool {
         is_clear(other.center, place, (self.center - place).length())
     }
 }
 
-/// Whether two places are so far apart that rounding turns the way between them by no more than a
-/// sixteenth of `APART`.
+/// Returns whether rounding turns the vector between two points by ≤ `APART` / 16.
 #[must_use]
 pub fn is_clear(a: DVec3, b: DVec3, distance: f64) -> bool {
     let size = Point::exact(a).size() + Point::exact(b).size();
-    64.0 * UNIT * size < APART / 16.0 * distance
+    POSITION * size < APART / 16.0 * distance
 }
 
 #[cfg(test)]
@@ -79,13 +78,13 @@ mod tests {
     #[test]
     fn a_ball_beside_a_cone_is_outside_and_one_that_touches_it_is_not() {
         let angle = 0.25_f64;
-        // Its centre is 45° off the axis, so it fills what is left when it touches.
+        // The centre is 45° off the axis; a touching sphere fills the remaining angle.
         let center = DVec3::new(1.0, 0.0, 1.0) * 3.0;
         let touching = center.length() * libm::sin(std::f64::consts::FRAC_PI_4 - angle);
         let is_outside = |radius| ball(center, radius).is_outside(DVec3::ZERO, DVec3::Z, angle);
         assert!(is_outside(touching * 0.99999));
         assert!(!is_outside(touching));
-        // Within the margin nothing is said.
+        // Within the margin it is undecided.
         assert!(!is_outside(touching * (1.0 - 1e-7)));
     }
 

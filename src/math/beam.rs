@@ -1,27 +1,26 @@
-//! The bundle of rays that one pixel stands for.
+//! Ray differentials: the rays of one pixel around its middle ray.
 
 use glam::DVec3;
 
 use super::{Flat, Footprint, Point};
 
-/// A ray and its neighbours: how origin and direction change from pixel to pixel.
+/// A ray and its differentials: the changes of origin and direction per pixel.
 ///
-/// From the eye and behind flat mirrors all rays of a beam go through one point, and what is said of
-/// its footprints is exact. Behind round mirrors it is right to first order (Igehy 1999, "Tracing Ray
-/// Differentials").
+/// From the eye and behind flat mirrors all rays go through one point, and footprints are exact.
+/// Behind round mirrors they are right to first order (Igehy 1999, "Tracing Ray Differentials").
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Beam {
     origin: Point,
-    /// Of any length.
+    /// The direction, of any length.
     dir: DVec3,
-    /// What one pixel to the right and one upwards add to the origin.
+    /// The change of the origin for one pixel to the right and for one pixel up.
     origin_steps: [DVec3; 2],
-    /// What they add to the direction.
+    /// The change of the direction for the same.
     dir_steps: [DVec3; 2],
 }
 
 impl Beam {
-    /// The rays from one point; the direction is of any length, and what is added to it as well.
+    /// The rays from one point; direction and steps share a unit of length.
     #[must_use]
     pub fn new(apex: Point, dir: DVec3, steps: [DVec3; 2]) -> Self {
         Self {
@@ -32,12 +31,12 @@ impl Beam {
         }
     }
 
-    /// What it covers of a plane through this corner with these unit axes.
+    /// The footprint on a plane through this corner with these unit axes.
     #[must_use]
     pub fn on(&self, corner: DVec3, axes: [DVec3; 2], normal: DVec3) -> Footprint {
         let way = self.origin.from(corner);
-        // The ray meets the plane at way − dir (n·way / n·dir), here times n·dir. Where the origin
-        // moves from ray to ray, products of two steps are left out.
+        // The crossing is at way − dir (n·way / n·dir), here times n·dir. Where the origin changes
+        // from ray to ray, products of two steps are left out.
         let (height, slope) = (normal.dot(way), normal.dot(self.dir));
         let [x, y] = axes.map(|axis| axis.dot(way) * slope - axis.dot(self.dir) * height);
         let center = DVec3::new(x, y, slope);
@@ -51,7 +50,7 @@ impl Beam {
             });
             DVec3::new(x, y, slope_step)
         };
-        // What lies ahead has a depth above zero, even if the middle is beyond the horizon.
+        // Points ahead have a depth above zero, even if the middle is beyond the horizon.
         let ahead = if height > 0.0 { -1.0 } else { 1.0 };
         Footprint {
             center: center * ahead,
@@ -59,7 +58,7 @@ impl Beam {
         }
     }
 
-    /// How far the place moves from pixel to pixel at which it meets a surface of this normal.
+    /// The change of the hit point from pixel to pixel on a surface with this normal.
     #[must_use]
     pub fn steps_at(&self, point: &Point, normal: DVec3) -> [DVec3; 2] {
         let slope = normal.dot(self.dir);
@@ -70,12 +69,12 @@ impl Beam {
         })
     }
 
-    /// How many times its direction a point is away.
+    /// The distance of a point along the ray, in lengths of the direction.
     fn distance(&self, point: &Point) -> f64 {
         point.way_from(&self.origin).dot(self.dir) / self.dir.length_squared()
     }
 
-    /// The beam behind a flat mirror.
+    /// The differential behind a flat mirror.
     #[must_use]
     pub fn mirrored_by(&self, flat: &Flat) -> Self {
         let normal = flat.normal;
@@ -92,23 +91,24 @@ impl Beam {
         }
     }
 
-    /// The beam behind a round mirror with these half axes, which it meets at a point that is seen from
-    /// its centre.
+    /// The differential behind a round mirror with these half axes.
+    ///
+    /// `point` is the hit, anchored at the centre.
     #[must_use]
     pub fn mirrored_at(&self, point: Point, normal: DVec3, axes: DVec3) -> Self {
         let origin_steps = self.steps_at(&point, normal);
         let length = self.dir.length();
         let dir = self.dir / length;
-        // The normal is along the place over the squares of the half axes.
+        // The normal is along the offset over the squares of the half axes.
         let steepness = (point.offset / axes / axes).length();
         let falls = dir.dot(normal);
         let dir_steps = [0, 1].map(|number| {
-            let turn = self.dir_steps[number] / length;
-            let turn = turn - dir * dir.dot(turn);
+            let dir_step = self.dir_steps[number] / length;
+            let dir_step = dir_step - dir * dir.dot(dir_step);
             let tilt = origin_steps[number] / axes / axes / steepness;
             let tilt = tilt - normal * normal.dot(tilt);
-            let falls_step = turn.dot(normal) + dir.dot(tilt);
-            turn - (tilt * falls + normal * falls_step) * 2.0
+            let falls_step = dir_step.dot(normal) + dir.dot(tilt);
+            dir_step - (tilt * falls + normal * falls_step) * 2.0
         });
         Self {
             origin: point,
@@ -118,8 +118,7 @@ impl Beam {
         }
     }
 
-    /// The beam that goes on in another direction from a point, as wide as it would have become on
-    /// its old way.
+    /// The differential in another direction, as wide as before at the point.
     #[must_use]
     pub fn turned(&self, point: Point, onward: DVec3) -> Self {
         let dir = onward * self.dir.length();
@@ -146,7 +145,7 @@ mod tests {
         Beam::new(apex, DVec3::new(0.1, -0.4, -1.0), steps)
     }
 
-    /// Where the ray of a place in the pixel meets the floor.
+    /// The floor crossing of the ray at a point of the pixel.
     fn on_floor(origin: DVec3, dir: DVec3) -> DVec2 {
         let met = origin - dir * (origin.y / dir.y);
         DVec2::new(met.x, -met.z)
@@ -176,7 +175,7 @@ mod tests {
         assert_eq!(behind.dir, beam().dir);
     }
 
-    /// The steps behind a round mirror against rays a little aside.
+    /// Compares the steps behind a round mirror with rays a little aside.
     #[test]
     fn a_round_mirror_spreads_a_beam() {
         let axes = DVec3::new(1.0, 0.5, 2.0);

@@ -1,18 +1,18 @@
-//! Boxes along the axes.
+//! Axis-aligned bounding boxes.
 
 use glam::DVec3;
 
-/// The smallest box along the axes that holds a bounded surface.
+/// An axis-aligned bounding box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Its lowest corner.
+    /// The lowest corner.
     pub min: DVec3,
-    /// Its highest corner.
+    /// The highest corner.
     pub max: DVec3,
 }
 
 impl Bounds {
-    /// The box around some points.
+    /// The bounding box of some points.
     #[must_use]
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         let nothing = Self {
@@ -25,7 +25,7 @@ impl Bounds {
         })
     }
 
-    /// Whether it has a point in common with another.
+    /// Returns whether it has a point in common with another box.
     #[must_use]
     pub fn touches(&self, other: &Self) -> bool {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()

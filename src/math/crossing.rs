@@ -1,4 +1,4 @@
-//! Where a line crosses a plane.
+//! Crossings of lines and planes.
 
 use glam::DVec3;
 
@@ -6,44 +6,45 @@ use super::error_bounds::{GRAZING, HEIGHT, QUOTIENT, SLOPE, UNDERFLOW};
 use super::exact::Sign;
 use super::{Decisions, Flat, Ray, RayOrigin, Segment, Side, Span};
 
-/// Where a line crosses a plane ahead, not yet divided: `t = height / slope`.
+/// The crossing of a line and a plane ahead, not yet divided: `t = height / slope`.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing {
-    /// From the plane's point to the ray's origin.
+    /// The vector from the plane's point to the ray's origin.
     pub origin: DVec3,
-    /// How far the origin lies behind the plane, along the normal: `N = −n·c`.
+    /// The height of the plane above the origin, along the normal: `N = −n·c`.
     pub height: f64,
-    /// How much the ray rises along the normal per unit of `t`: `D = n·d`.
+    /// The rise of the ray along the normal per unit of `t`: `D = n·d`.
     pub slope: f64,
-    /// Whether the ray rises along the normal; the sign of the slope, for certain.
+    /// True if the ray rises along the normal: the exact sign of the slope.
     pub rises: bool,
-    /// How far at most the height is from the true one.
+    /// The error bound of `height`.
     pub doubt: f64,
-    /// How far the origin may be from where it ought to, if it is no further from the plane than
-    /// that: the ray crosses the plane at its very start, and there its line says little.
+    /// The error bound of the origin, if the origin lies within it of the plane.
+    ///
+    /// Such a ray crosses the plane at its start, and its line decides little there.
     pub at_start: Option<f64>,
-    /// How a ray crosses that is nearly parallel to the plane; `None` for all others.
+    /// The kind of crossing, if the ray is nearly parallel to the plane.
     pub grazing: Option<Grazing>,
 }
 
-/// A crossing so nearly along the plane that only the exact place says what lies there.
+/// A crossing nearly along the plane; only exact arithmetic decides its borders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grazing {
-    /// The ray meets the plane ahead.
+    /// The ray crosses the plane ahead.
     Ahead,
-    /// Rounding has put the start of the ray beyond the plane, which it has yet to cross.
+    /// Rounding has put the origin beyond a plane that the ray has not crossed yet.
     Behind,
 }
 
 impl Crossing {
-    /// Whether borders have to be asked exactly, however far from them the rounded place is.
+    /// Returns whether borders are tested exactly even far from the rounded point.
     #[must_use]
     #[inline(always)]
     pub fn is_delicate(&self) -> bool {
         self.at_start.is_some() || self.grazing.is_some()
     }
 
-    /// The distance of the crossing: above zero, as it lies ahead.
+    /// The distance of the crossing, above zero.
     #[must_use]
     pub fn distance(&self) -> f64 {
         const SMALLEST: f64 = f64::from_bits(1);
@@ -51,11 +52,11 @@ impl Crossing {
         (self.height / self.slope).max(SMALLEST)
     }
 
-    /// Whether the crossing lies beyond a span for certain, before any division.
+    /// Returns whether the crossing certainly lies beyond a span; needs no division.
     #[must_use]
     #[inline(always)]
     pub fn is_beyond(&self, span: Span) -> bool {
-        // At the very start, the height can have the wrong sign, and then nothing is nearer.
+        // At the start, the height can have the wrong sign; no crossing is nearer then.
         let ahead = if self.rises {
             self.height
         } else {
@@ -64,25 +65,24 @@ impl Crossing {
         ahead - self.doubt > span.max() * (self.slope.abs() + SLOPE)
     }
 
-    /// How far at most a distance is from the exact one.
+    /// The error bound of a distance.
     #[must_use]
     pub fn error(&self, t: f64) -> f64 {
         (self.doubt + SLOPE * t) / self.slope.abs() + QUOTIENT * t
     }
 }
 
-/// A slope that is not [`GRAZING`], whichever surface's normal in a plane it was computed with.
+/// The least slope that is not [`GRAZING`] for any surface's normal in the plane.
 const STEEP: f64 = GRAZING + 2.0 * SLOPE;
 
-/// Rounded values do not decide.
+/// The error that rounded values do not decide.
 #[derive(Debug, Clone, Copy)]
 pub struct InDoubt;
 
 impl Flat {
-    /// Where a segment crosses the plane, if its ends lie strictly on opposite sides; only then
-    /// can a surface in this plane stand between them.
+    /// The crossing of a segment whose ends are strictly on opposite sides.
     ///
-    /// `end` is the side that the segment's end is on.
+    /// Only then can a surface in this plane occlude. `end` is the side of the segment's end.
     #[must_use]
     #[inline(always)]
     pub fn separates(&self, segment: &Segment, end: Side) -> Option<Crossing> {
@@ -111,7 +111,7 @@ impl Flat {
         })
     }
 
-    /// Where a ray crosses the plane ahead of its origin; a ray along the plane never does.
+    /// The crossing of a ray and the plane ahead; a ray along the plane has none.
     #[must_use]
     #[inline(always)]
     pub fn crossing(&self, ray: &Ray) -> Option<Crossing> {
@@ -119,7 +119,10 @@ impl Flat {
         certain.unwrap_or_else(|InDoubt| self.doubtful_crossing(ray))
     }
 
-    /// Where a ray crosses the plane ahead, if it does, by rounded values; or that they leave doubt.
+    /// The crossing of a ray and the plane ahead, by rounded values.
+    ///
+    /// # Errors
+    /// Returns [`InDoubt`] if the error bounds do not decide.
     #[inline(always)]
     pub(crate) fn certain_crossing(&self, ray: &Ray) -> Result<Option<Crossing>, InDoubt> {
         let origin = ray.origin.from(self.point);
@@ -141,7 +144,7 @@ impl Flat {
         Err(InDoubt)
     }
 
-    /// Where a ray crosses the plane ahead, if it does, where rounded values leave doubt.
+    /// The crossing of a ray and the plane ahead, where rounded values do not decide.
     #[cold]
     pub(crate) fn doubtful_crossing(&self, ray: &Ray) -> Option<Crossing> {
         let origin = ray.origin.from(self.point);
@@ -164,7 +167,7 @@ impl Flat {
         let (side, at_start) = self.side_of_origin(ray);
         let ahead = -(side * sign) == Sign::Positive;
         let rises = sign == Sign::Positive;
-        // A slope so small that no double holds it is still not zero.
+        // A slope too small for a double is still not zero.
         let steepness = exact.to_f64().abs().max(UNDERFLOW);
         ahead.then(|| Crossing {
             slope: if rises { steepness } else { -steepness },
@@ -175,7 +178,7 @@ impl Flat {
         })
     }
 
-    /// How a ray crosses the plane if it is nearly parallel to it.
+    /// The kind of crossing, if the ray is nearly parallel to the plane.
     #[inline(always)]
     fn grazing(
         &self,
@@ -187,7 +190,7 @@ impl Flat {
         if slope.abs() > STEEP {
             return None;
         }
-        // All surfaces in this plane have to agree.
+        // All surfaces in this plane have to decide alike.
         let grazes = self.decisive.dot(ray.dir).abs() < GRAZING;
         grazes.then(|| {
             let behind =
@@ -200,14 +203,13 @@ impl Flat {
         })
     }
 
-    /// The side of the plane that a ray starts on; and if it is not measured, how far the origin may
-    /// be from where it ought to.
+    /// The side on which a ray starts, and the origin's error bound if inherited.
     ///
-    /// The start of a ray that leaves a surface is rounded, so close to this plane its own side
-    /// means nothing. But the ray that arrived there did not cross the plane, so the side is the
-    /// one on which that ray started, which may in its turn have left a surface close to this
-    /// plane; and a ray that left this very plane is on the side to which it went. So nothing leaks
-    /// through the edges and corners of a room.
+    /// A point within rounding of the plane inherits the side of the ray that arrived there.
+    // The origin of a ray that leaves a surface is rounded, so close to this plane its own side
+    // means nothing. The arriving ray did not cross the plane, so the origin has the side of that
+    // ray's origin, which may in turn lie close to the plane. A ray that left this very plane is on
+    // the side to which it went. Nothing leaks through the edges and corners of a room.
     #[cold]
     fn side_of_origin(&self, ray: &Ray) -> (Sign, Option<f64>) {
         let rounding = ray.rounding();
@@ -233,8 +235,8 @@ impl Flat {
         Decisions::note(true);
         (side, Some(rounding))
     }
-    /// The height of a hit above the plane, unless it is so close to the plane that rounding leaves doubt about
-    /// its side.
+
+    /// The height of a hit above the plane; `None` if its sign is uncertain.
     fn certain_height(&self, hit: &RayOrigin<'_>) -> Option<f64> {
         let (way, size) = hit.point.seen_from(self.point);
         let height = self.normal.dot(way);
@@ -242,7 +244,7 @@ impl Flat {
         is_certain.then_some(height)
     }
 
-    /// Whether a ray leaves a hit so close to the plane that its side of it is not measured.
+    /// Returns whether a ray leaves a hit within rounding of the plane.
     #[must_use]
     pub fn is_next_to_start(&self, ray: &Ray) -> bool {
         let ray_origin = ray.spawned_from;

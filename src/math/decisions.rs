@@ -1,18 +1,19 @@
-//! How decisions were taken: a count that every thread keeps for itself.
+//! Counts of decisions, kept by each thread.
 
 use std::cell::Cell;
 use std::iter::Sum;
 use std::ops::{Add, Sub};
 
-/// How many surface tests a rounded value with an error bound could not decide.
+/// The number of surface tests that rounded values did not decide.
 ///
-/// All others it did, so they need no count of their own, and the innermost loops none.
+/// The others need no count, and the innermost loops none.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Decisions {
     /// Decided by exact arithmetic.
     pub exactly: u64,
-    /// Decided by a rule, because the exact value is zero: the ray meets an edge, starts on a
-    /// plane, or meets two surfaces in the same place.
+    /// Decided by a rule, because the exact value is zero.
+    ///
+    /// The ray passes through an edge, starts on a plane, or hits two surfaces at one point.
     pub by_rule: u64,
 }
 
@@ -21,13 +22,13 @@ thread_local! {
 }
 
 impl Decisions {
-    /// All that this thread has taken so far.
+    /// The count of this thread so far.
     #[must_use]
     pub fn of_this_thread() -> Self {
         TAKEN.get()
     }
 
-    /// Notes a decision by exact arithmetic, or by rule if it was a tie.
+    /// Counts a decision by exact arithmetic, or by rule for a tie.
     #[cold]
     pub(crate) fn note(tie: bool) {
         let mut taken = TAKEN.get();

@@ -1,4 +1,4 @@
-//! The geometry of a flat surface as the scene file has it, without rounding.
+//! The geometry of a flat surface without rounding, as in the scene file.
 
 use dashu_ratio::RBig;
 use glam::{DVec2, DVec3};
@@ -6,35 +6,35 @@ use glam::{DVec2, DVec3};
 use super::exact::{RationalVector, decimal};
 use super::{ExactFrame, Line};
 
-/// A plane and the borders of what lies in it, from the decimals of the scene.
+/// A plane and the borders of a surface in it, from the decimals of the scene.
 ///
-/// Surfaces are compared by these numbers when a scene is loaded: only here are 0.1 + 0.2 and 0.3 one
-/// place.
+/// Surfaces are compared by these numbers when a scene is loaded. Only as decimals are 0.1 + 0.2
+/// and 0.3 equal.
 #[derive(Debug, Clone)]
 pub struct ExactGeometry {
     /// A point of the plane.
     pub point: RationalVector,
     /// The normal, of any length.
     pub normal: RationalVector,
-    /// The borders, in the order of the surface's own; none if it has no end.
+    /// The borders, in the surface's own order; none if it is unbounded.
     pub borders: Vec<Border>,
 }
 
 /// One border of a flat surface.
 #[derive(Debug, Clone)]
 pub struct Border {
-    /// A point from which the border is reached by going `across` to the outer side.
+    /// A point from which going `across` to the outer side leads to the border.
     pub point: RationalVector,
-    /// Along the border, of any length; seen from the front the inner side is on the right.
+    /// The direction, of any length; from the front, the inner side is on its right.
     pub along: RationalVector,
-    /// How far the border lies from `point`.
+    /// The distance of the border from `point`.
     pub across: RBig,
-    /// Where it begins and ends, as seen from `point` and in lengths of `along`.
+    /// Both ends as seen from `point`, in lengths of `along`.
     pub stretch: [RBig; 2],
 }
 
 impl ExactGeometry {
-    /// A plane without end.
+    /// An unbounded plane.
     #[must_use]
     pub fn plane(point: DVec3, normal: DVec3) -> Self {
         Self {
@@ -75,8 +75,9 @@ impl ExactGeometry {
         Self { borders, ..plane }
     }
 
-    /// A convex polygon whose corners run counter-clockwise seen from the front: borders from each
-    /// corner to the next.
+    /// A convex polygon with corners counter-clockwise as seen from the front.
+    ///
+    /// Its borders lead from each corner to the next.
     #[must_use]
     pub fn polygon(corners: &[DVec3]) -> Self {
         let corners: Vec<_> = corners
@@ -100,8 +101,9 @@ impl ExactGeometry {
 }
 
 impl Border {
-    /// The border as a line whose numbers are those of the scene file, without rounding; `None` if
-    /// they are no doubles.
+    /// The border as a line with the numbers of the scene file, without rounding.
+    ///
+    /// `None` if doubles cannot hold them.
     #[must_use]
     pub fn exact_line(&self, normal: &RationalVector) -> Option<Line> {
         let dir = self.along.whole()?;

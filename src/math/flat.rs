@@ -1,8 +1,8 @@
-//! The unbounded plane in which flat surfaces lie, and where lines cross it.
+//! The carrier plane of flat surfaces, and its crossings with lines.
 
 use glam::DVec3;
 
-use super::error_bounds::{HEIGHT, UNDERFLOW, UNIT};
+use super::error_bounds::{HEIGHT, OWN_NORMAL, UNDERFLOW};
 use super::exact::{Distance, Exact, ExactVector, RationalVector, Sign};
 use super::{Crossing, Decisions, Point, Ray, Side, Span};
 use crate::language::ValueError;
@@ -10,18 +10,19 @@ use crate::language::ValueError;
 /// A plane through a point, with a unit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flat {
-    /// A point in the plane, from which heights above it are computed.
+    /// A point in the plane, from which heights are computed.
     pub point: DVec3,
-    /// The unit normal, on the plane's front side.
+    /// The unit normal, on the front side.
     pub normal: DVec3,
-    /// The normal by which heights are *decided*: the same for all surfaces in this plane, but
-    /// for its sign, and no further from `normal` than rounding.
+    /// The normal that *decides*, equal up to its sign for all surfaces in this plane.
+    ///
+    /// It differs from `normal` by no more than rounding.
     pub(super) decisive: DVec3,
-    /// The point from which heights are *decided*: the same for all surfaces in this plane.
+    /// The point that *decides* heights, equal for all surfaces in this plane.
     pub(super) base: DVec3,
-    /// How far at most `point` lies from the plane through `base`, and what underflow can add.
+    /// A bound of the height of `point` above the deciding plane, underflow included.
     pub(super) slack: f64,
-    /// The plane's share in what a height above it can be off by; see [`Ray`]'s.
+    /// The plane's share of the error of a height above it; [`Ray`] has the other.
     pub(super) doubt: f64,
 }
 
@@ -31,7 +32,7 @@ impl Flat {
     /// The normal is made unit exactly and rounded once.
     ///
     /// # Errors
-    /// Refuses a zero normal.
+    /// Returns an error if the normal is zero.
     pub fn new(point: DVec3, normal: DVec3) -> Result<Self, ValueError> {
         let unit = RationalVector::of_decimals(normal).unit();
         if unit == DVec3::ZERO {
@@ -45,7 +46,7 @@ impl Flat {
         Ok(Self::with_unit_normal(point, unit))
     }
 
-    /// A plane through `point` with a normal that is unit already.
+    /// A plane through `point` with a unit normal.
     #[must_use]
     pub fn with_unit_normal(point: DVec3, normal: DVec3) -> Self {
         Self {
@@ -58,13 +59,13 @@ impl Flat {
         }
     }
 
-    /// The same plane through the same point, but decided as that of another surface.
+    /// The same plane and point, with the deciding numbers of another surface.
     #[must_use]
     pub fn welded(&self, to: &Self) -> Self {
         let turned = self.normal.dot(to.decisive) < 0.0;
         let decisive = if turned { -to.decisive } else { to.decisive };
-        // Within one rounding of each component, the surface keeps its own.
-        let same = (self.normal - decisive).abs().max_element() <= 2.0 * UNIT;
+        // Within one rounding of each component, the surface keeps its own normal.
+        let same = (self.normal - decisive).abs().max_element() <= OWN_NORMAL;
         let normal = if same { self.normal } else { decisive };
         let way = Point::exact(self.point).exactly_from(to.base);
         // The exact height was rounded once.
@@ -79,11 +80,13 @@ impl Flat {
         }
     }
 
-    /// A plane whose point is so far from an eye that the rounding of the normal alone would move
-    /// it before the eye's very feet is taken through the foot of the eye's perpendicular instead.
+    /// A plane whose point is moved near the eye if it is very far away.
+    ///
+    /// From far away, rounding the normal would move the plane at the eye. The new point is the
+    /// foot of the eye's perpendicular.
     ///
     /// # Errors
-    /// Refuses a zero normal.
+    /// Returns an error if the normal is zero.
     pub fn near(eye: DVec3, point: DVec3, normal: DVec3) -> Result<Self, ValueError> {
         // Half of a double's digits.
         const FAR: f64 = 67_108_864.0; // 2^26
@@ -104,19 +107,19 @@ impl Flat {
         })
     }
 
-    /// How far at most its point lies from the plane that decides, and what underflow can add.
+    /// A bound of the height of its point above the deciding plane, underflow included.
     #[must_use]
     pub(crate) fn slack(&self) -> f64 {
         self.slack
     }
 
-    /// The normal by which heights are decided.
+    /// The normal that decides heights.
     #[must_use]
     pub fn decisive_normal(&self) -> DVec3 {
         self.decisive
     }
 
-    /// The numbers that decide: the same for every surface in this plane, on either side of it.
+    /// The point and normal that decide, equal for all surfaces on both sides.
     #[must_use]
     pub fn decisive(&self) -> [DVec3; 2] {
         let [x, y, z] = self.decisive.to_array();
@@ -131,7 +134,7 @@ impl Flat {
         [self.base + DVec3::ZERO, normal]
     }
 
-    /// The side a point is on.
+    /// The exact side of a point.
     #[must_use]
     pub fn side(&self, point: &Point) -> Side {
         let (way, size) = point.seen_from(self.point);
@@ -142,11 +145,11 @@ impl Flat {
         Side::of(self.exact_side(point))
     }
 
-    /// The side that a point is on which is known exactly, and rounded.
+    /// The side of an exactly known point, which is also given rounded.
     #[must_use]
     pub fn side_of(&self, exact: &ExactVector, rounded: DVec3) -> Side {
         let height = self.normal.dot(rounded - self.point);
-        // Rounding the point is a rounding like that of an offset.
+        // Rounding the point has the same error as rounding an offset.
         let point = Point::exact(rounded);
         if height.abs() > 2.0 * HEIGHT * point.size() + self.doubt {
             return Side::of(Sign::of(height));
@@ -154,9 +157,9 @@ impl Flat {
         Side::of(self.exact_height(exact).sign())
     }
 
-    /// Whether some of a ball with this centre, stretched to these half axes, is strictly on a side.
+    /// Returns whether a part of an ellipsoid lies strictly on a side.
     ///
-    /// Along the normal `n` it reaches as far as `√Σ (aᵢ nᵢ)²` from its centre.
+    /// Along the normal `n` it extends `√Σ (aᵢ nᵢ)²` from its centre, for the half axes `aᵢ`.
     #[must_use]
     pub fn has_some_of(&self, [center, axes]: [DVec3; 2], side: Side) -> bool {
         let toward = match side {
@@ -164,44 +167,43 @@ impl Flat {
             Side::Back => -1.0,
             Side::On => return false,
         };
-        let reach = (axes * self.normal).length();
-        let height = toward * self.normal.dot(center - self.point) + reach;
+        let extent = (axes * self.normal).length();
+        let height = toward * self.normal.dot(center - self.point) + extent;
         let size = Point::exact(center).size() + axes.element_sum();
         if height.abs() > 2.0 * HEIGHT * size + self.doubt {
             return height > 0.0;
         }
         let height = &self.exact_height(&center.into()) * &toward.into();
-        let reach = ExactVector::from(axes).scaled(&self.decisive.into());
+        let extent = ExactVector::from(axes).scaled(&self.decisive.into());
         height.sign() == Sign::Positive
-            || (&reach.dot(&reach) - &height.squared()).sign() == Sign::Positive
+            || (&extent.dot(&extent) - &height.squared()).sign() == Sign::Positive
     }
 
-    /// The height of a point above the plane, exactly.
+    /// The exact height of a point above the plane.
     #[must_use]
     pub fn exact_height(&self, point: &ExactVector) -> Exact {
         (point - &self.base.into()).dot(&self.decisive.into())
     }
 
-    /// How much a direction rises along the plane's normal, exactly.
+    /// The exact rise of a direction along the plane's normal.
     #[must_use]
     pub fn exact_slope(&self, dir: DVec3) -> Exact {
         ExactVector::from(dir).dot(&self.decisive.into())
     }
 
-    /// Whether another plane has this normal or the opposite one.
+    /// Returns whether another plane has this normal or the opposite one.
     #[must_use]
     pub fn is_parallel(&self, other: &Self) -> bool {
         self.decisive == other.decisive || self.decisive == -other.decisive
     }
 
-    /// Whether this plane lies on this side of a parallel one.
+    /// Returns whether this plane lies on this side of a parallel one.
     #[must_use]
     pub fn lies_on(&self, other: &Self, side: Side) -> bool {
         other.side(&Point::exact(self.base)) == side
     }
 
-    /// Where the line of a ray crosses the plane, seen from a scene point: a vector, and what it has
-    /// to be divided by, exactly.
+    /// The exact crossing of a ray: a vector from a scene point, and its divisor.
     pub(super) fn exact_place(&self, ray: &Ray, from: DVec3) -> (ExactVector, Exact) {
         let (normal, dir) = (ExactVector::from(self.decisive), ExactVector::from(ray.dir));
         let slope = normal.dot(&dir);
@@ -210,14 +212,14 @@ impl Flat {
         (place, slope)
     }
 
-    /// The sign of the height of a point above the plane, exactly.
+    /// The exact sign of the height of a point above the plane.
     pub(super) fn exact_side(&self, point: &Point) -> Sign {
         let height = point.exactly_from(self.base).dot(&self.decisive.into());
         Decisions::note(height.sign() == Sign::Zero);
         height.sign()
     }
 
-    /// The distance at which a ray meets the plane, exactly.
+    /// The exact distance of a ray's crossing; `None` for a ray along the plane.
     #[must_use]
     pub fn exact_distance(&self, ray: &Ray) -> Option<Distance> {
         let normal = ExactVector::from(self.decisive);
@@ -226,8 +228,9 @@ impl Flat {
         (slope.sign() != Sign::Zero).then(|| Distance::quotient(height, slope))
     }
 
-    /// The distance at which a ray meets the plane, and how far at most it is from the exact one;
-    /// `None` if it does not do so ahead and in the span.
+    /// The distance of a ray's crossing and its error bound.
+    ///
+    /// `None` if the crossing is not ahead or not in the span.
     #[must_use]
     #[inline]
     pub fn hits(&self, ray: &Ray, span: Span) -> Option<(f64, f64)> {
@@ -237,8 +240,7 @@ impl Flat {
         span.admits(t, error).then_some((t, error))
     }
 
-    /// How far at most a distance at which a ray meets the plane is from the exact one, by the way from the
-    /// plane's point to the ray's origin.
+    /// An error bound of a crossing's distance, from the point-to-origin vector.
     #[must_use]
     pub fn error(&self, ray: &Ray, t: f64) -> f64 {
         let (origin, size) = ray.origin.seen_from(self.point);
@@ -254,9 +256,9 @@ impl Flat {
         crossing.error(t)
     }
 
-    /// The point of the plane at distance `t` on a ray that meets it there.
+    /// The point of the plane at distance `t` on a ray that crosses it there.
     ///
-    /// The part along the normal is rounding and is taken off.
+    /// The part along the normal is rounding and is removed.
     #[must_use]
     #[inline]
     pub fn foot(&self, ray: &Ray, t: f64) -> Point {
@@ -327,7 +329,7 @@ mod tests {
             anchor: DVec3::ZERO,
             offset: DVec3::new(x, y, 0.0),
         };
-        // Both places are within rounding of the edge.
+        // Both points are within rounding of the edge.
         let passed = RayOrigin::new((None, Some(&pane)), &eye, met(1e-17, 0.0), 1e-16);
         let behind = Ray::spawn(&passed, down);
         let mirrored = RayOrigin::new((None, Some(&wall)), &behind, met(0.0, -1e-17), 1e-16);

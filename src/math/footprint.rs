@@ -1,32 +1,31 @@
-//! What a pixel covers of a surface.
+//! Pixel footprints on surfaces.
 
 use glam::{DVec2, DVec3};
 
-/// What a pixel covers of a plane: the image of a square of side 1 around the origin.
+/// The footprint of a pixel on a plane: the image of the centred unit square.
 ///
-/// The square's place `(s, t)` lies at `x/w, y/w` on the plane, where `(x, y, w)` is `center` plus
-/// `s` and `t` times the two steps: a projective map (Heckbert 1989, "Fundamentals of Texture Mapping
-/// and Image Warping"). Places with `w` not above zero are beyond the horizon.
+/// The point `(s, t)` of the square lies at `x/w, y/w` on the plane. There `(x, y, w)` is `center`
+/// plus `s` and `t` times the two steps: a projective map (Heckbert 1989, "Fundamentals of Texture
+/// Mapping and Image Warping"). Points with `w ≤ 0` are beyond the horizon.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footprint {
     /// The middle of the square.
     pub center: DVec3,
-    /// What one step to the right and one upwards in the square add.
+    /// The change for one step to the right and for one step up in the square.
     pub steps: [DVec3; 2],
 }
 
-/// A place on a surface, and how far a pixel reaches from there.
+/// A footprint to first order: a point, and its change from pixel to pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// The place that the pixel's middle shows.
+    /// The point at the pixel's middle.
     pub place: DVec2,
-    /// The way from there to what the next pixel on the right and the one above would show, if it
-    /// went on evenly.
+    /// The change of the point to the next pixel on the right and to the one above.
     pub steps: [DVec2; 2],
 }
 
 impl Footprint {
-    /// The same on a plane with other units of length.
+    /// The same footprint in other units of length.
     #[must_use]
     pub fn over(self, unit: DVec2) -> Self {
         let over = |image: DVec3| image / unit.extend(1.0);
@@ -36,14 +35,14 @@ impl Footprint {
         }
     }
 
-    /// The image of a place in the square.
+    /// The image of a point in the square.
     #[must_use]
     pub fn image(&self, place: DVec2) -> DVec3 {
         let [right, up] = self.steps;
         self.center + right * place.x + up * place.y
     }
 
-    /// The footprint where it is smallest: to first order, from its middle.
+    /// The footprint to first order, from its middle.
     #[must_use]
     pub fn spread(&self) -> Spread {
         let depth = self.center.z;
@@ -57,7 +56,7 @@ impl Footprint {
 }
 
 impl Spread {
-    /// The same with other units of length.
+    /// The same in other units of length.
     #[must_use]
     pub fn over(self, unit: DVec2) -> Self {
         Self {
@@ -66,8 +65,9 @@ impl Spread {
         }
     }
 
-    /// The longer axis of the ellipse that a circle of diameter 1 in the square becomes, and the length of the
-    /// shorter one: the singular values of the two steps.
+    /// The longer axis of the image of a circle, and the length of the shorter one.
+    ///
+    /// The circle has diameter 1; the lengths are the singular values of the two steps.
     #[must_use]
     pub fn axes(&self) -> (DVec2, f64) {
         let [right, up] = self.steps;
@@ -78,7 +78,7 @@ impl Spread {
         let half = (xx - yy) / 2.0;
         let squared = (xx + yy) / 2.0 + (half * half + xy * xy).sqrt();
         let long = squared.sqrt();
-        // Of two forms of the same direction, the one that does not cancel.
+        // The one of two equal directions that does not cancel.
         let along = if xx >= yy {
             DVec2::new(squared - yy, xy)
         } else {

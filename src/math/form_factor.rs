@@ -1,20 +1,19 @@
-//! How much of what a small piece of a surface sees is a shape that shines: the share of the light
-//! that a sky as bright as the shape would give it.
+//! Form factors: a shape's share of the light of a full sky as bright.
 //!
-//! Everything is seen from the piece, which lies at the origin with the unit `normal`; what is
-//! below its horizon does not count. Factors are continuous, so no sign on the way needs to be
-//! exact: what lies within rounding of the horizon gives as little as rounding.
+//! Shapes are given as seen from a small piece of surface at the origin, with the unit `normal`.
+//! Parts below its horizon do not count. Form factors are continuous, so no sign needs to be exact:
+//! a part within rounding of the horizon gives as little as rounding.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
 
-/// The form factor of a flat convex shape with these corners, which run counter-clockwise as seen
-/// from its shining side; from 0 to 1.
+/// The form factor of a flat convex polygon, from 0 to 1.
 ///
-/// The sum over the borders (Lambert 1760, "Photometria", and in vectors: Baum, Rushmeier and Winget
-/// 1989, "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors") of
-/// the part above the horizon, one of which is the cut along it.
+/// The corners run counter-clockwise as seen from the emitting side. The sum runs over the borders
+/// of the part above the horizon, including the cut along it (Lambert 1760, "Photometria"; in
+/// vectors: Baum, Rushmeier and Winget 1989, "Improving Radiosity Solutions Through the Use of
+/// Analytically Determined Form-Factors").
 #[must_use]
 pub fn of_polygon(corners: &[DVec3], normal: DVec3) -> f64 {
     let next = corners.iter().cycle().skip(1);
@@ -32,31 +31,32 @@ pub fn of_polygon(corners: &[DVec3], normal: DVec3) -> f64 {
     if let (Some(setting), Some(rising)) = (setting, rising) {
         sum += of_border(setting, rising, normal);
     }
-    // Counter-clockwise around what is seen is clockwise around the way to it.
+    // Counter-clockwise around the polygon is clockwise around the direction to it.
     (-sum / (2.0 * PI)).clamp(0.0, 1.0)
 }
 
-/// A border's part in the sum: the angle that it spans, by how far its plane is from holding the normal.
+/// A border's term: its angle, times the sine between its plane and `normal`.
 fn of_border(from: DVec3, to: DVec3, normal: DVec3) -> f64 {
-    // From afar the border is short and both ends are far; their product would be rounding.
+    // Far away the border is short and both ends are far; their own product would be rounding.
     let across = from.cross(to - from);
     let sine = across.length();
     if sine == 0.0 {
-        // One that is seen from its own line spans nothing.
+        // A border in line with the piece of surface spans nothing.
         return 0.0;
     }
     libm::atan2(sine, from.dot(to)) * (normal.dot(across) / sine)
 }
 
-/// The form factor of a ball around `center`, seen from outside; from 0 to 1.
+/// The form factor of a sphere seen from outside, from 0 to 1.
 ///
-/// `(r/d)² cos θ` where the horizon does not cut it, and the integral over the part above it
-/// otherwise (Hamilton and Morgan 1952, "Radiant-Interchange Configuration Factors", NACA TN 2836).
-/// With `c = cos θ`, `s = r/d`, `q² = 1 − s²`, `x = c/s` and `k² = 1 − x²` that is
-/// `(c s² acos(−c q / (s √(1 − c²))) − k q s + atan(k s / q)) / π`.
+/// It is `(r/d)² cos θ` where the horizon does not cut the sphere, and the integral over the part
+/// above it otherwise (Hamilton and Morgan 1952, "Radiant-Interchange Configuration Factors", NACA
+/// TN 2836).
 #[must_use]
 pub fn of_ball(center: DVec3, radius: f64, normal: DVec3) -> f64 {
     let distance = center.length();
+    // With c = cos θ, s = r/d, q² = 1 − s², x = c/s and k² = 1 − x², the integral is
+    // (c s² acos(−c q / (s √(1 − c²))) − k q s + atan(k s / q)) / π.
     let sine = (radius / distance).min(1.0);
     let cosine = normal.dot(center) / distance;
     let height = cosine / sine;
@@ -74,8 +74,7 @@ pub fn of_ball(center: DVec3, radius: f64, normal: DVec3) -> f64 {
     ((cap + rim) / PI).clamp(0.0, 1.0)
 }
 
-/// The form factor of a shape that looks as large as `area` from far away, where it is seen in the
-/// direction of `center`.
+/// The form factor of a far shape with this apparent area, in this direction.
 #[must_use]
 pub fn of_speck(center: DVec3, area: f64, normal: DVec3) -> f64 {
     let distance = center.length();
@@ -87,13 +86,13 @@ pub fn of_speck(center: DVec3, area: f64, normal: DVec3) -> f64 {
 mod tests {
     use super::*;
 
-    /// A sequence of directions and places that fill space evenly enough.
+    /// Directions and points that fill space evenly enough.
     fn vector(index: u32) -> DVec3 {
         let part = |step: f64| (f64::from(index) * step).fract() * 2.0 - 1.0;
         DVec3::new(part(0.618_033), part(0.754_877), part(0.569_840))
     }
 
-    /// The mean over a grid of 400 × 400 places in the unit square.
+    /// The mean over a grid of 400 × 400 points in the unit square.
     fn integral(value: impl Fn(f64, f64) -> f64) -> f64 {
         const SIDE: u32 = 400;
         let middle = |index: u32| (f64::from(index) + 0.5) / f64::from(SIDE);
@@ -133,7 +132,7 @@ mod tests {
         assert!(cut > 10, "only {cut} lie in the horizon");
     }
 
-    /// The closed forms of a rectangle over one of its corners (Hamilton and Morgan 1952).
+    /// Closed forms of a rectangle over one of its corners (Hamilton and Morgan 1952).
     #[test]
     fn rectangles_over_their_corners() {
         for [a, b, c] in [
@@ -150,7 +149,7 @@ mod tests {
             let parallel = (half(s, t) + half(t, s)) / (2.0 * PI);
             let found = of_polygon(&corners(x, y, z), DVec3::Z);
             assert!((found - parallel).abs() < 1e-15, "{found} {parallel}");
-            // Half of it is above the horizon of a piece that faces along x, and more is not there.
+            // Half of it is above the horizon of a piece that faces along x.
             let far = 1.0 / (s * s + 1.0).sqrt();
             let upright = ((t.atan()) - far * (t * far).atan()) / (2.0 * PI);
             let found = of_polygon(&corners(x, y, z), DVec3::X);
@@ -192,9 +191,9 @@ mod tests {
         assert_eq!(of_ball(DVec3::Z * 4.0, 1.0, DVec3::Z), 0.0625);
         assert_eq!(of_ball(DVec3::Z * -4.0, 1.0, DVec3::Z), 0.0);
         assert_eq!(of_ball(DVec3::Z * 2.0, 2.0, DVec3::Z), 1.0);
-        // One that touches the place from the side fills half of the sky.
+        // A sphere that touches the point from the side fills half of the sky.
         assert!((of_ball(DVec3::X, 1.0, DVec3::Z) - 0.5).abs() < 1e-15);
-        // Both formulas where one takes over from the other.
+        // Both formulas, where one takes over from the other.
         let normal = DVec3::new(0.8, 0.0, 0.6);
         let [whole, cut] =
             [1.0, -1.0].map(|step| of_ball(DVec3::Z * (5.0 / 3.0 + step * 1e-9), 1.0, normal));

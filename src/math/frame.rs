@@ -1,4 +1,4 @@
-//! Right-angled axes in a plane.
+//! Orthogonal axes in a plane.
 
 use dashu_ratio::RBig;
 use glam::DVec3;
@@ -7,7 +7,7 @@ use super::exact::{ExactVector, RationalVector};
 use super::{Flat, Ray, unit};
 use crate::language::ValueError;
 
-/// The axes of a plane: `x` grows to the right, `y` upward, the normal towards the viewer.
+/// The axes of a plane: `x` to the right, `y` upward, the normal to the viewer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Unit vector along which the plane's own x coordinate grows.
@@ -17,18 +17,18 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The axes of the plane with this normal, from any `xdir` that is not along the normal.
+    /// The axes of the plane with this normal, from an `xdir` not along the normal.
     ///
-    /// `xdir` is projected into the plane exactly; both axes are then made unit and rounded once.
+    /// `xdir` is projected into the plane exactly. Both axes are then made unit and rounded once.
     ///
     /// # Errors
-    /// Refuses an `xdir` that is zero, parallel to the normal, or so nearly parallel that the
-    /// projection is mostly the rounding of its decimals: below 2⁻²⁰ rad, a fifth of a second.
+    /// Returns an error if `xdir` is zero or within 2⁻²⁰ rad, a fifth of a second, of the normal. A
+    /// projection so short is mostly the rounding of its decimals.
     pub fn new(normal: DVec3, xdir: DVec3) -> Result<Self, ValueError> {
         Self::of(xdir, &ExactFrame::new(normal, xdir))
     }
 
-    /// The axes that are those of an exact frame, rounded.
+    /// The rounded axes of an exact frame.
     pub(crate) fn of(xdir: DVec3, exact: &ExactFrame) -> Result<Self, ValueError> {
         let advice = "xdir is the direction in which the surface's own x grows, such as 1 0 0";
         let expected = "expected a direction that is not the normal's";
@@ -51,8 +51,7 @@ impl Frame {
         })
     }
 
-    /// The axes of a plane for which no direction is asked: along the world's x, or its z for
-    /// planes that face along x.
+    /// The default axes: along the world's x, or its z for planes that face along x.
     #[must_use]
     pub fn any(normal: DVec3) -> Self {
         let axis = if normal.y == 0.0 && normal.z == 0.0 {
@@ -70,10 +69,10 @@ impl Frame {
 }
 
 impl Frame {
-    /// Where a ray meets a plane, as the exact offset from the plane's point along both axes;
-    /// `None` if it runs along the plane.
+    /// The exact offset of a ray's crossing from the plane's point, along both axes.
     ///
-    /// With `m = d × c` it is `(y·m, −x·m)` divided by `n·d`, as in [`Rectangle`](super::Rectangle).
+    /// `None` if the ray runs along the plane.
+    // With m = d × c it is (y·m, −x·m) divided by n·d.
     #[must_use]
     pub fn exact_offset(&self, flat: &Flat, ray: &Ray) -> Option<[RBig; 2]> {
         let dir = ExactVector::from(ray.dir);
@@ -87,7 +86,7 @@ impl Frame {
     }
 }
 
-/// The axes of a plane without rounding, of any length.
+/// The exact axes of a plane, of any length.
 #[derive(Debug, Clone)]
 pub struct ExactFrame {
     /// The normal as given.
@@ -101,7 +100,7 @@ pub struct ExactFrame {
 }
 
 impl ExactFrame {
-    /// The axes that the decimals of a scene mean.
+    /// The axes from the decimals of a scene.
     #[must_use]
     pub fn new(normal: DVec3, xdir: DVec3) -> Self {
         let normal = RationalVector::of_decimals(normal);

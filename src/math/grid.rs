@@ -3,24 +3,24 @@
 use dashu_ratio::RBig;
 
 use super::Decisions;
-use super::error_bounds::UNIT;
+use super::error_bounds::{CELL, GRID_LINE};
 
-/// Lines at all whole multiples of a distance.
+/// Lines at all whole multiples of a pitch.
 ///
-/// Line `k` lies at the double nearest to `k` times the decimal that the scene gives, where a
-/// surface that begins there would have its corner, too. So ten tiles of 0.1 end at 1, and the third
-/// begins at 0.3 though the double 3 × 0.1 is larger.
+/// Line `k` lies at the double nearest to `k` times the decimal in the scene. A surface that begins
+/// there has its corner at the same number. Ten tiles of 0.1 end at 1, and the third begins at 0.3
+/// although the double 3 × 0.1 is larger.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     pitch: f64,
-    /// What rounding took from the pitch.
+    /// The exact pitch less the rounded one.
     rest: f64,
-    /// Cells per unit; not-a-number if that has not all the bits of a double.
+    /// Cells per unit; not-a-number if it is not a normal double.
     density: f64,
 }
 
 impl Grid {
-    /// Lines at this distance, which is above zero.
+    /// Lines at a pitch above zero.
     #[must_use]
     pub fn new(pitch: &RBig) -> Self {
         let rounded = pitch.to_f64().value();
@@ -37,17 +37,16 @@ impl Grid {
         }
     }
 
-    /// The distance between two lines, rounded.
+    /// The rounded distance between two lines.
     #[must_use]
     pub fn pitch(&self) -> f64 {
         self.pitch
     }
 
-    /// The number of cells that a double can count; of places beyond, no cell is known.
+    /// The number of cells that a double can count; the cells beyond are unknown.
     pub const MOST_CELLS: f64 = 9_007_199_254_740_992.0; // 2^53
 
-    /// The number of the cell that a place lies in: from line `k` up to but not on line `k + 1` it
-    /// is `k`.
+    /// The number of a point's cell: `k` from line `k` up to, not on, line `k + 1`.
     #[must_use]
     pub fn cell(&self, place: f64) -> f64 {
         if let Some(cell) = self.certain_cell(place, 0.0) {
@@ -61,30 +60,29 @@ impl Grid {
         }
     }
 
-    /// The number of the cell that a place lies in, if that is certain though the place may be off
-    /// by as much as `doubt`.
+    /// The number of the cell of a point, if its error bound leaves no other.
     #[must_use]
     #[inline]
-    pub fn certain_cell(&self, place: f64, doubt: f64) -> Option<f64> {
+    pub fn certain_cell(&self, place: f64, error: f64) -> Option<f64> {
         let estimate = place * self.density;
         let below = floor(estimate);
         let into = estimate - below;
-        // The product, the density, the pitch and the line are rounded once each; and what the
-        // doubt comes to is rounded, too.
-        let doubt = (doubt * self.density) * (1.0 + 8.0 * UNIT) + 8.0 * UNIT * estimate.abs();
-        (into > doubt && 1.0 - into > doubt).then_some(below)
+        // One rounding each of the product, the density, the pitch and the line, and that of the
+        // scaled error bound.
+        let bound = (error * self.density) * (1.0 + CELL) + CELL * estimate.abs();
+        (into > bound && 1.0 - into > bound).then_some(below)
     }
 
-    /// The place, moved as little as possible to the right side of the line nearest to it.
+    /// The point, moved as little as possible to the exact side of the nearest line.
     ///
-    /// `doubt` is how far at most the place is from the `exact` one, which is computed only if that
-    /// leaves the side in doubt.
+    /// `error` bounds the distance of the point from the `exact` one, which is computed only if the
+    /// bound reaches a line.
     #[must_use]
     #[inline]
-    pub fn settled(&self, place: f64, doubt: f64, exact: impl FnOnce() -> RBig) -> f64 {
+    pub fn settled(&self, place: f64, error: f64, exact: impl FnOnce() -> RBig) -> f64 {
         let estimate = place / self.pitch;
         let into = (estimate - estimate.round()).abs();
-        if into * self.pitch > doubt + 4.0 * UNIT * place.abs() {
+        if into * self.pitch > error + GRID_LINE * place.abs() {
             return place;
         }
         self.settled_exactly(&exact())
@@ -107,7 +105,7 @@ impl Grid {
         }
     }
 
-    /// Where a line lies.
+    /// The position of a line.
     fn line(&self, number: f64) -> f64 {
         // The rounding error of a product is itself a double.
         let product = number * self.pitch;
@@ -116,11 +114,11 @@ impl Grid {
     }
 }
 
-/// The largest whole number that is not larger.
+/// The largest whole number that is not above this one.
 #[inline]
 fn floor(number: f64) -> f64 {
-    // Added to a number of this size or less, it leaves no place for a fraction, which is rounded off:
-    // several times faster on processors as old as the target.
+    // Adding it to a number of this size or less rounds the fraction off, several times faster than
+    // `floor` on processors as old as the target.
     const NO_FRACTION: f64 = 6_755_399_441_055_744.0; // 2^52 + 2^51
     if number.abs() <= NO_FRACTION / 3.0 {
         let whole = (number + NO_FRACTION) - NO_FRACTION;

@@ -1,18 +1,19 @@
-//! What of a ray counts, and what decides where that ends.
+//! Limits of a ray: a span of distances, and the plane that ends it.
 
-use super::error_bounds::{UNDERFLOW, UNIT};
+use super::error_bounds::{SCREEN, UNDERFLOW};
 use super::exact::Sign;
 use super::{Flat, Ray, Side, Span};
 
-/// The distances along a ray that count, as rounded values and as what they mean: up to a plane, from a
-/// plane on, or all ahead.
+/// The distances that count: up to a plane, from a plane on, or all ahead.
+///
+/// The span is rounded; the plane decides exactly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits<'a> {
     span: Span,
-    /// Where the ray crosses the plane, if there is one; infinitely far if not.
+    /// The distance of the plane's crossing; infinite without a plane.
     edge: f64,
-    /// How far at most that is from the exact distance.
-    doubt: f64,
+    /// The error bound of `edge`.
+    edge_error: f64,
     plane: Option<&'a Flat>,
 }
 
@@ -21,53 +22,52 @@ impl From<Span> for Limits<'_> {
         Self {
             span,
             edge: f64::INFINITY,
-            doubt: 0.0,
+            edge_error: 0.0,
             plane: None,
         }
     }
 }
 
 impl<'a> Limits<'a> {
-    /// Everything ahead counts.
+    /// All distances ahead count.
     pub const AHEAD: Self = Self {
         span: Span::AHEAD,
         edge: f64::INFINITY,
-        doubt: 0.0,
+        edge_error: 0.0,
         plane: None,
     };
 
-    /// What lies in a plane across the z axis, or below it.
-    ///
-    /// The ray's way to the plane has a rounding in the difference of anchors and one in the sum;
-    /// the slope is a component of the direction, without any; its reciprocal and the product have one
-    /// each. In units of what is rounded that is 1 and 3.
+    /// The limits of a ray that counts only below a plane across the z axis, or in it.
     #[must_use]
     #[inline]
     pub fn below(plane: &'a Flat, ray: &Ray) -> Self {
         let between = ray.origin.anchor.z - plane.point.z;
         let slope = ray.dir.z;
         if slope == 0.0 {
-            return Self::beside(plane, ray);
+            return Self::parallel(plane, ray);
         }
         let reciprocal = 1.0 / slope;
+        // The difference of anchors and the sum have a rounding each; the slope, a component of the
+        // direction, has none; the reciprocal and the product have one each. In units of the
+        // rounded values that is 1 and 3.
         let edge = -(between + ray.origin.offset.z) * reciprocal;
-        let doubt = (4.0 * UNIT) * ((between * reciprocal).abs() + edge.abs()) + UNDERFLOW;
+        let edge_error = SCREEN * ((between * reciprocal).abs() + edge.abs()) + UNDERFLOW;
         let span = if slope < 0.0 {
-            Span::AHEAD.since(edge - doubt)
+            Span::AHEAD.since(edge - edge_error)
         } else {
-            Span::AHEAD.until(edge + doubt)
+            Span::AHEAD.until(edge + edge_error)
         };
         Self {
             span,
             edge,
-            doubt,
+            edge_error,
             plane: Some(plane),
         }
     }
 
-    /// The same for a ray along the plane: all or nothing.
+    /// The limits of a ray along the plane: all or nothing.
     #[cold]
-    fn beside(plane: &Flat, ray: &Ray) -> Self {
+    fn parallel(plane: &Flat, ray: &Ray) -> Self {
         if plane.exact_side(&ray.origin) == Sign::Positive {
             Span::AHEAD.until(f64::NEG_INFINITY).into()
         } else {
@@ -81,21 +81,20 @@ impl<'a> Limits<'a> {
         self.span
     }
 
-    /// Whether something counts that was met in the span, at distance `t` but for this error; `flat` is
-    /// its plane, if it lies in one.
+    /// Returns whether a hit in the span, at distance `t` with this error, counts.
     ///
-    /// A plane along that of the limit lies on one side of it, whatever the ray, and that is decided
-    /// exactly. What passes through that plane counts as far as it, and there within rounding: the
-    /// direction of a ray that is aimed at the very place is rounded itself.
+    /// `flat` is the plane of the surface, if it has one. A plane parallel to that of the limit
+    /// lies on one side of it for all rays, which is decided exactly. A surface that crosses the
+    /// limit counts up to it, within rounding.
     #[must_use]
     #[inline(always)]
     pub fn hold(&self, t: f64, error: f64, flat: Option<&Flat>) -> bool {
-        // Not-a-number is in doubt.
-        (t - self.edge).abs() > error + self.doubt || self.hold_in_doubt(flat)
+        // Not-a-number is undecided.
+        (t - self.edge).abs() > error + self.edge_error || self.hold_by_side(flat)
     }
 
     #[cold]
-    fn hold_in_doubt(&self, flat: Option<&Flat>) -> bool {
+    fn hold_by_side(&self, flat: Option<&Flat>) -> bool {
         let pair = self.plane.zip(flat);
         let pair = pair.filter(|(plane, flat)| flat.is_parallel(plane));
         pair.is_none_or(|(plane, flat)| !flat.lies_on(plane, Side::Front))

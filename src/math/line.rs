@@ -1,24 +1,26 @@
-//! The line along a border of a flat surface.
+//! Border lines of flat surfaces.
 
 use glam::DVec3;
 
 use super::exact::{Exact, ExactVector, Sign};
 use super::{Crossing, Decisions, Flat, Grazing, Ray};
 
-/// A line in a plane with an inner side, as one border of a surface. Neighbours that share the line
-/// decide by the same one, so no ray passes between them.
+/// A line in a plane with an inner side: a border of a surface.
+///
+/// Neighbours share the line and decide by the same numbers, so no ray passes between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// A point from which the line is reached by going `across` to the outer side.
+    /// A point from which going `across` to the outer side leads to the line.
     pub point: DVec3,
-    /// Along the line, of unit length if `across` is not zero; seen from the front the inner side is on the right.
+    /// The direction; from the front, the inner side is on its right.
+    ///
+    /// It is of unit length if `across` is not zero.
     pub dir: DVec3,
-    /// What rounding took from `dir`.
+    /// The exact direction less the rounded one.
     pub dir_rest: DVec3,
-    /// How far the line lies from `point`.
+    /// The distance of the line from `point`.
     pub across: f64,
-    /// Whether the line itself belongs to the surface. It does, unless there is a neighbour beyond
-    /// it that owns it.
+    /// True if the line belongs to the surface, and not to a neighbour beyond it.
     pub owned: bool,
 }
 
@@ -39,7 +41,7 @@ impl Line {
     #[must_use]
     pub fn between(from: DVec3, to: DVec3) -> Self {
         let dir = to - from;
-        // What the rounded difference lacks is itself a double (Knuth 1969, vol. 2, §4.2.2).
+        // The rounding error of a difference is itself a double (Knuth 1969, vol. 2, §4.2.2).
         let virtual_from = to - dir;
         let dir_rest = (virtual_from - from) + (to - (dir + virtual_from));
         Self {
@@ -48,28 +50,30 @@ impl Line {
         }
     }
 
-    /// The same line for another surface in the plane, whose normal points to the same side or not,
-    /// and which lies on the same side of the line or not.
+    /// The same line for another surface in the plane.
+    ///
+    /// `same_front` is true if both normals agree, `same_side` if both surfaces are on one side of
+    /// the line.
     #[must_use]
     pub fn for_neighbor(&self, same_front: bool, same_side: bool) -> Self {
         let sign = |keep: bool| if keep { 1.0 } else { -1.0 };
-        let turn = sign(same_front == same_side);
+        let flip = sign(same_front == same_side);
         Self {
-            dir: self.dir * turn,
-            dir_rest: self.dir_rest * turn,
+            dir: self.dir * flip,
+            dir_rest: self.dir_rest * flip,
             across: self.across * sign(same_side),
             ..*self
         }
     }
 
-    /// On which side of the line a ray passes: positive on the inner side, if it goes up along
-    /// the plane's normal, and the other way round if it goes down.
+    /// The side of the line on which a rising ray passes: positive on the inner side.
     ///
-    /// With the vector `c` from the line's point to the ray's origin this is
-    /// `a·(d × c) + across n·d`: the distance of the ray's crossing from the line, times `n·d`.
+    /// For a ray that falls along the plane's normal the sign is the opposite one.
     #[must_use]
     pub fn side(&self, ray: &Ray, normal: DVec3) -> Sign {
         let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
+        // With the vector c from the line's point to the ray's origin this is a·(d × c) + across
+        // n·d: the distance of the crossing from the line, times n·d.
         let dir = ExactVector::from(ray.dir);
         let moment = dir.cross(&ray.origin.exactly_from(self.point));
         let side = along.dot(&moment);
@@ -80,11 +84,10 @@ impl Line {
         (&side + &shift).sign()
     }
 
-    /// On which side of the line a ray crosses the plane, if the line is brought into the plane;
-    /// positive on the inner side.
+    /// The side of the line, projected into the plane, on which a ray crosses.
     ///
-    /// Of a ray that is nearly parallel to the plane, [`side`](Self::side) says little about where it
-    /// crosses, since the line lies off the plane by a rounding.
+    /// It is positive on the inner side. The line is off the plane by a rounding. For a ray nearly
+    /// parallel to the plane, [`side`](Self::side) therefore decides little about its crossing.
     #[must_use]
     fn side_in_plane(&self, ray: &Ray, flat: &Flat) -> Sign {
         let along = &ExactVector::from(self.dir) + &ExactVector::from(self.dir_rest);
@@ -94,8 +97,9 @@ impl Line {
         (&right.dot(&place) + &shift).sign() * slope.sign()
     }
 
-    /// How far at most a corner of a surface, which ought to lie on the line, lies from it in the plane,
-    /// and the line there from the plane.
+    /// A bound of the distance between the line and a corner that should lie on it.
+    ///
+    /// It adds the distance in the plane and the height of the line above the plane.
     #[must_use]
     pub fn apart(&self, corner: &ExactVector, flat: &Flat) -> f64 {
         let (point, dir) = (ExactVector::from(self.point), ExactVector::from(self.dir));
@@ -105,7 +109,7 @@ impl Line {
         self.inward(corner, flat.normal).abs() + height.abs()
     }
 
-    /// How far a point in the plane lies on the inner side of the line.
+    /// The distance of a point in the plane from the line, positive on the inner side.
     #[must_use]
     pub fn inward(&self, point: &ExactVector, normal: DVec3) -> f64 {
         let way = point - &self.point.into();
@@ -115,16 +119,14 @@ impl Line {
     }
 }
 
-/// Whether a ray crosses a plane on the inner side of all borders of a surface, without rounding;
-/// `corners` are the surface's.
+/// Returns whether a ray crosses a plane inside all borders, without rounding.
 ///
-/// A ray that is nearly parallel to the plane is asked where it crosses the plane itself, and so never
-/// meets what lies elsewhere.
-///
-/// A ray that starts within rounding of the plane crosses it where it starts. If it starts within
-/// rounding of the surface, it meets it, unless the surface hangs on the other side of the plane
-/// that the ray leaves. So there is no way out between two walls of a room for a ray that rounding
-/// has put into the edge, and none is lost that leaves the outer edge of a box.
+/// `corners` are the surface's. Borders of a ray nearly parallel to the plane are decided in the
+/// plane.
+// A ray that starts within rounding of the plane crosses it at its origin. If the origin is within
+// rounding of the surface, the ray hits it, unless the surface lies on the other side of the plane
+// that the ray leaves. A ray that rounding has put into the edge between two walls cannot escape,
+// and no ray that leaves the outer edge of a box is lost.
 #[cold]
 #[must_use]
 pub fn inside_all(
@@ -145,7 +147,7 @@ pub fn inside_all(
                 return met;
             }
         } else if crossing.grazing == Some(Grazing::Behind) {
-            // What lies at the crossing lies behind the start, and that is no rounding.
+            // The crossing is behind the origin by more than rounding.
             return false;
         }
     }
@@ -168,8 +170,9 @@ pub fn inside_all(
     inside
 }
 
-/// Whether a surface with these corners, next to which a ray starts, is on the side of the plane
-/// left behind to which the ray goes; `None` if it is within rounding of that plane.
+/// Returns whether a surface near the origin is on the side that the ray goes to.
+///
+/// The side is that of the plane left behind. `None` if the corners are within rounding of it.
 fn rises_ahead(corners: &[ExactVector], ray: &Ray, rounding: f64) -> Option<bool> {
     let Some(left) = ray.spawned_from.and_then(|ray_origin| ray_origin.flat) else {
         return Some(true);

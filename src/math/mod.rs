@@ -1,6 +1,6 @@
-//! Numbers, colours, points, rays and the flat things they meet.
+//! Numbers, colours, points, rays and planes.
 //!
-//! The one scalar of the crate is `f64`; vectors are `glam`'s [`glam::DVec3`].
+//! The scalar type of the crate is `f64`. Vectors are `glam`'s [`glam::DVec3`].
 
 mod ball;
 mod beam;

@@ -1,17 +1,16 @@
-//! The arithmetic that decides what a ray meets.
+//! The arithmetic that decides hits.
 
 use crate::language::words;
 
-/// Which algorithm and which numbers say where rays meet surfaces.
+/// The algorithm and the numbers that decide hits.
 ///
-/// The classic ones are the chapter's own algorithm; they are kept so that tests and costs have
-/// something to be measured against.
+/// The classic ones are the chapter's own algorithm. They are the baseline of tests and of costs.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Numerics {
-    /// No offset and no tolerance: a ray cannot meet the sheet that it leaves.
+    /// Exact decisions: a ray cannot hit the carrier that it leaves. No offset.
     #[default]
     Robust,
-    /// The chapter's algorithm in world coordinates and 64-bit floats, with a small offset.
+    /// The chapter's algorithm in 64-bit world coordinates, with a small offset.
     Classic,
     /// The same in 32-bit floats.
     ClassicF32,

@@ -1,4 +1,4 @@
-//! Points that do not lose digits far from the origin.
+//! Points that keep their digits far from the origin.
 
 use glam::DVec3;
 
@@ -6,14 +6,14 @@ use super::exact::ExactVector;
 
 /// A point as an exact anchor and a small offset from it.
 ///
-/// The anchor is a number of the scene file (the eye, the corner of a plane, the centre of a
-/// sphere), so differences between anchors are exact or nearly so, and a scene far from the
-/// origin is computed like the same scene at the origin.
+/// The anchor is a number of the scene file: the eye, the corner of a plane, the centre of a
+/// sphere. Differences between anchors are exact or nearly so. A scene far from the origin is
+/// computed like the same scene at the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// A point given in the scene.
     pub anchor: DVec3,
-    /// From the anchor to the point.
+    /// The vector from the anchor to the point.
     pub offset: DVec3,
 }
 
@@ -42,20 +42,21 @@ impl Point {
         }
     }
 
-    /// The vector to this point from another.
+    /// The vector from another point to this one.
     #[must_use]
     pub fn way_from(&self, other: &Self) -> DVec3 {
         (self.anchor - other.anchor) + (self.offset - other.offset)
     }
 
-    /// The sum of all lengths that it is made of.
+    /// The sum of the absolute values of all coordinates of anchor and offset.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.anchor.abs().element_sum() + self.offset.abs().element_sum()
     }
 
-    /// The vector from a scene point to this one, and the sum of all lengths that went into it,
-    /// which bounds its rounding.
+    /// The vector from a scene point to this one, and the sum of all lengths in it.
+    ///
+    /// The sum bounds the rounding of the vector.
     #[must_use]
     pub fn seen_from(&self, other: DVec3) -> (DVec3, f64) {
         let between = self.anchor - other;
@@ -63,13 +64,13 @@ impl Point {
         (between + self.offset, size)
     }
 
-    /// Two vectors that lead from a scene point to this one, one after the other.
+    /// Two vectors whose sum leads from a scene point to this one.
     #[must_use]
     pub fn parts_from(&self, other: DVec3) -> [DVec3; 2] {
         [self.anchor - other, self.offset]
     }
 
-    /// The vector from a scene point to this one, exactly.
+    /// The exact vector from a scene point to this one.
     #[must_use]
     pub fn exactly_from(&self, other: DVec3) -> ExactVector {
         let between = &ExactVector::from(self.anchor) - &ExactVector::from(other);

@@ -1,53 +1,53 @@
-//! Rays, and the hits that they start from.
+//! Rays, and the hits that they leave.
 
 use glam::DVec3;
 
-use super::error_bounds::{FOOT, HEIGHT, SLIDE, UNIT};
+use super::error_bounds::{FOOT, HEIGHT, SIZE, SLIDE};
 use super::vector::reflected;
 use super::{Flat, Point};
 
-/// The plane, sphere or other surface sheet that a hit lies on. Coplanar surfaces share one.
+/// The identifier of a carrier: a plane, shared if coplanar, or a round surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CarrierId(pub u32);
 
 /// A half-line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray<'a> {
-    /// Where it starts.
+    /// The origin.
     pub origin: Point,
-    /// Where it goes; of unit length, so that `t` is a distance.
+    /// The direction; of unit length, so that `t` is a distance.
     pub dir: DVec3,
-    /// The hit that it starts from, if it does not start in free space.
+    /// The hit that the ray leaves; `None` for a ray from free space.
     pub spawned_from: Option<&'a RayOrigin<'a>>,
-    /// The ray's share in what a height above a plane can be off by when the way to the plane's
-    /// point is computed.
+    /// The ray's share of the error of its origin's height above a plane.
     pub(crate) doubt: f64,
-    /// A bound of how far its origin lies from where it ought to.
+    /// An error bound of the origin that needs no walk along the path.
     pub(crate) astray: f64,
 }
 
-/// A hit from which other rays start.
+/// A hit that other rays leave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayOrigin<'a> {
-    /// The surface's sheet, which the rays cannot meet again: a line meets a plane once. `None` if
-    /// they can.
+    /// The carrier, which the rays cannot hit again: a line crosses a plane once.
+    ///
+    /// `None` if they can.
     pub carrier: Option<CarrierId>,
     /// The surface's plane, if it is flat.
     pub flat: Option<&'a Flat>,
     /// The hit.
     pub point: Point,
-    /// What the hit is on, if the rays that go to its inside meet it again.
+    /// The position on a round surface, if rays inside can hit it again.
     pub curve: Option<Curve>,
-    /// The ray that arrived there.
+    /// The ray that arrived.
     pub arriving: &'a Ray<'a>,
-    /// How far at most the point lies from where it ought to.
+    /// The error bound of the point.
     rounding: f64,
-    /// That of the rays that start there, as is the next.
+    /// The errors of the rays that start there, as in [`Ray`].
     doubt: f64,
     astray: f64,
 }
 
-/// The place on a round thing that rays can be inside of.
+/// A position on a round surface that rays can be inside of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
     /// The centre and the half axes.
@@ -57,16 +57,16 @@ pub struct Curve {
 }
 
 impl<'a> RayOrigin<'a> {
-    /// The hit of a ray at this point of a surface on this sheet.
+    /// The hit of a ray at a point of a surface on this carrier.
     ///
-    /// `slip` is how far it may be off because its distance is.
+    /// `point_error` is the part of its error that the error of the distance causes.
     #[must_use]
     #[inline]
     pub fn new(
         (carrier, flat): (Option<CarrierId>, Option<&'a Flat>),
         arriving: &'a Ray<'a>,
         point: Point,
-        slip: f64,
+        point_error: f64,
     ) -> Self {
         let size = point.size();
         let (_, before) = arriving.origin.seen_from(point.anchor);
@@ -77,24 +77,22 @@ impl<'a> RayOrigin<'a> {
             point,
             curve: None,
             arriving,
-            rounding: arriving.rounding() + FOOT * length + slip.min(SLIDE * length),
+            rounding: arriving.rounding() + FOOT * length + point_error.min(SLIDE * length),
             doubt: HEIGHT * size,
-            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + slip,
+            astray: arriving.astray + (FOOT / HEIGHT) * arriving.doubt + FOOT * size + point_error,
         }
     }
 
-    /// Whether the surface is known to lie in this plane.
+    /// Returns whether the surface certainly lies in this plane.
     #[must_use]
     pub fn is_in(&self, flat: &Flat) -> bool {
         self.flat
             .is_some_and(|own| own.decisive() == flat.decisive())
     }
 
-    /// How far at most the point lies from where it ought to: beyond a plane that was not crossed.
-    ///
-    /// That is how far it lies from where the ray that arrived met the surface, and how far that
-    /// ray's own origin was off, since a ray that starts beyond a plane and runs along it ends as
-    /// far beyond.
+    /// The error bound of the point, also beyond a plane that was not crossed.
+    // That is its distance from the true hit of the arriving ray, and the error of that ray's own
+    // origin: a ray that starts beyond a plane and runs along it ends as far beyond.
     #[must_use]
     pub fn rounding(&self) -> f64 {
         self.rounding
@@ -128,29 +126,29 @@ impl<'a> Ray<'a> {
         }
     }
 
-    /// A bound of the sum of all lengths that its origin is made of.
+    /// A bound of the sum of all lengths that the origin is made of.
     #[must_use]
     pub(crate) fn size(&self) -> f64 {
-        const SIZE: f64 = (1.0 + 4.0 * UNIT) / HEIGHT;
-        self.doubt * SIZE
+        const PER_ERROR: f64 = (1.0 + SIZE) / HEIGHT;
+        self.doubt * PER_ERROR
     }
 
-    /// How far at most its origin lies from where it ought to.
+    /// The error bound of the origin.
     #[must_use]
     pub fn rounding(&self) -> f64 {
         self.spawned_from
             .map_or(0.0, |ray_origin| ray_origin.rounding())
     }
 
-    /// The sheet that it starts from.
+    /// The carrier that the ray leaves.
     #[must_use]
     pub fn leaves(&self) -> Option<CarrierId> {
         self.spawned_from.and_then(|ray_origin| ray_origin.carrier)
     }
 
-    /// Whether it goes to the inside of this round thing, if it starts from its surface.
+    /// Returns whether the ray goes inside this round surface, if it starts on it.
     ///
-    /// That is the side for which the direction was made, whatever the rounded point says.
+    /// The side is the one for which the direction was made, whatever the rounded origin is.
     #[must_use]
     pub fn goes_inside(&self, round: [DVec3; 2]) -> Option<bool> {
         let curve = self.spawned_from?.curve?;
@@ -166,7 +164,7 @@ impl<'a> Ray<'a> {
         }
     }
 
-    /// The direction of the mirrored ray at a surface with this unit normal, from either side.
+    /// The reflected direction at a surface with this unit normal, from either side.
     #[must_use]
     pub fn mirrored(&self, normal: DVec3) -> DVec3 {
         reflected(self.dir, normal)

@@ -1,58 +1,60 @@
-//! Many rays from one point to neighbouring places.
+//! Ray packets: rays from one point in neighbouring directions.
 
 use glam::DVec3;
 
 use super::{Flat, Ray};
 
-/// Rays from a point in free space whose directions lie on a straight line between two, before they
-/// are made unit.
+/// Rays from one point in free space, with directions between two vectors.
+///
+/// The directions are made unit after they are interpolated.
 #[derive(Debug, Clone, Copy)]
 pub struct RayPacket {
-    /// One of them, in any direction.
+    /// A ray from the common origin, in any direction.
     pub ray: Ray<'static>,
-    /// The outermost directions, not made unit.
+    /// The two outermost directions, not made unit.
     pub ends: [DVec3; 2],
-    /// The sum of all lengths that the directions are made of; none of them is longer.
+    /// The sum of all lengths that the directions are made of; no direction is longer.
     pub size: f64,
 }
 
-/// Where the rays of a fan cross a plane.
+/// The rays of a packet that cross a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Crossings {
-    /// Nowhere.
+    /// No ray.
     Never,
-    /// All do, ahead and beyond the screen, if there is one.
+    /// Every ray, ahead of the origin and beyond the screen, if there is one.
     Always,
-    /// Each has to be asked.
+    /// Undecided: each ray is tested by itself.
     Unknown,
 }
 
-/// How many times a value has to be larger than what puts it in doubt, for a whole fan to be decided by
-/// it at once; half as many are enough. Smaller, and roundings would matter; larger, and fewer fans are
-/// decided.
+/// The least ratio of a value to its error bound that decides for a whole packet.
+///
+/// Half of it would be enough. A larger ratio decides fewer packets.
 const CLEARLY: f64 = 1_048_576.0;
 
-/// How much further than a limit all rays of a fan have to cross a plane to be decided at once: by far
-/// more than the distances can be off by, which `CLEARLY` sees to.
+/// The least ratio of plane and screen distance that decides for a whole packet.
+///
+/// It exceeds 1 by far more than the error of the distances, which [`CLEARLY`] bounds.
 const BEYOND: f64 = 1.0 + 1.0 / 512.0;
 
 impl Flat {
-    /// Where the rays of a fan cross the plane; what is not below a `screen` across the z axis does not
-    /// count.
+    /// Classifies the rays of a packet by whether they cross the plane.
     ///
-    /// For a direction `w` that is not made unit, `n·w` is linear, so along the fan it lies between its
-    /// values at the ends. If both have one sign and are no smaller than a share of all that went into
-    /// them, then every ray rises, or every ray falls, at no small angle, and rounded values are enough.
-    ///
-    /// The way to the plane, as a multiple of that to the screen, is a quotient of two such linear
-    /// values, neither of which changes its sign; so it is monotone along the fan, and lies between its
-    /// values at the ends, too.
+    /// Crossings above a `screen` across the z axis do not count.
     #[must_use]
-    pub fn crossings(&self, fan: &RayPacket, screen: Option<&Self>) -> Crossings {
-        let height = -self.normal.dot(fan.ray.origin.from(self.point));
-        let is_clear = height.abs() > CLEARLY * (self.doubt + fan.ray.doubt);
-        let slopes = fan.ends.map(|way| self.normal.dot(way));
-        let steep = |slope: f64| CLEARLY * slope.abs() > fan.size;
+    pub fn crossings(&self, packet: &RayPacket, screen: Option<&Self>) -> Crossings {
+        // For a direction w that is not made unit, n·w is linear. Along the packet it lies between
+        // its values at the ends. If both have one sign and exceed a share of all lengths in them,
+        // every ray rises or every ray falls, at no small angle, and rounded values decide.
+        //
+        // The distance to the plane, as a multiple of that to the screen, is a quotient of two such
+        // values. Neither changes its sign, so the quotient is monotone and lies between its values
+        // at the ends.
+        let height = -self.normal.dot(packet.ray.origin.from(self.point));
+        let is_clear = height.abs() > CLEARLY * (self.doubt + packet.ray.doubt);
+        let slopes = packet.ends.map(|end| self.normal.dot(end));
+        let steep = |slope: f64| CLEARLY * slope.abs() > packet.size;
         let is_decided = is_clear && slopes.iter().all(|slope| steep(*slope));
         if !is_decided || (slopes[0] > 0.0) != (slopes[1] > 0.0) {
             return Crossings::Unknown;
@@ -60,14 +62,14 @@ impl Flat {
         if (slopes[0] > 0.0) != (height > 0.0) {
             return Crossings::Never;
         }
-        // No distance is too large for a number.
+        // The largest distance is finite.
         let mut counts = (2.0 * CLEARLY * height).is_finite();
         if let Some(screen) = screen {
-            let above = fan.ray.origin.from(screen.point).z;
+            let above = packet.ray.origin.from(screen.point).z;
             counts &= above > 0.0;
-            for (way, slope) in fan.ends.iter().zip(slopes) {
-                let falls = -way.z;
-                // The second is false of a way that rises, too.
+            for (end, slope) in packet.ends.iter().zip(slopes) {
+                let falls = -end.z;
+                // The second is false for a direction that rises.
                 counts &= steep(falls) && height.abs() * falls > BEYOND * (above * slope.abs());
             }
         }
@@ -102,8 +104,8 @@ mod tests {
             let eye = Point::exact(vector(3.0) + DVec3::Z * 4.0);
             let (mut first, mut across) = (vector(1.0) - DVec3::Z * 1.5, vector(0.2));
             let (mut point, normal) = (vector(2.0), vector(1.0));
-            // Some eyes and some fans lie in the plane, but for rounding.
-            let into_plane = |way: DVec3| way.reject_from(normal);
+            // Some eyes and some packets lie in the plane, up to rounding.
+            let into_plane = |vector: DVec3| vector.reject_from(normal);
             if round % 8 == 1 {
                 point = eye.world() + into_plane(point);
             }
@@ -114,12 +116,12 @@ mod tests {
             let screen = Flat::with_unit_normal(vector(1.0), DVec3::Z);
             let screen = (round % 2 == 0).then_some(&screen);
             let way = |share: f64| first + across * share;
-            let fan = RayPacket {
+            let packet = RayPacket {
                 ray: Ray::new(eye, DVec3::Z),
                 ends: [way(0.0), way(1.0)],
                 size: first.abs().element_sum() + across.abs().element_sum(),
             };
-            let crossings = flat.crossings(&fan, screen);
+            let crossings = flat.crossings(&packet, screen);
             match crossings {
                 Crossings::Always => always += 1,
                 Crossings::Never => never += 1,
@@ -131,8 +133,8 @@ mod tests {
                 let met = flat.hits(&ray, limits.span());
                 let met = met.filter(|(t, error)| limits.hold(*t, *error, Some(&flat)));
                 match crossings {
-                    Crossings::Always => assert!(met.is_some(), "{flat:?} {fan:?}"),
-                    Crossings::Never => assert_eq!(met, None, "{flat:?} {fan:?}"),
+                    Crossings::Always => assert!(met.is_some(), "{flat:?} {packet:?}"),
+                    Crossings::Never => assert_eq!(met, None, "{flat:?} {packet:?}"),
                     Crossings::Unknown => {}
                 }
             }
@@ -143,7 +145,7 @@ mod tests {
     #[test]
     fn nothing_is_decided_by_how_far_ways_fall_that_is_made_of_rounding() {
         const STEP: f64 = 2.0 * crate::math::UNIT;
-        // Their heights are differences of numbers near 1, so they come in steps of 2⁻⁵².
+        // The heights are differences of numbers near 1, so they come in steps of 2⁻⁵².
         let way = |share: f64| DVec3::new(1.0 + share, 0.0, 1.0 - (1.0 + (1.0 + share) * STEP));
         let screen = Flat::with_unit_normal(DVec3::ZERO, DVec3::Z);
         let wall = Flat::with_unit_normal(DVec3::X, DVec3::X);
@@ -154,14 +156,14 @@ mod tests {
             let met = wall.hits(&ray, limits.span());
             met.is_some_and(|(t, error)| limits.hold(t, error, Some(&wall)))
         };
-        // Seen from both ends the wall is beyond the screen, and in between it is not.
+        // The wall is beyond the screen for the directions at both ends, and not for those between.
         assert_eq!([0.0, 0.4, 1.0].map(counts), [true, false, true]);
-        let fan = RayPacket {
+        let packet = RayPacket {
             ray: Ray::new(eye, DVec3::Z),
             ends: [way(0.0), way(1.0)],
             size: 5.0,
         };
-        assert_eq!(wall.crossings(&fan, Some(&screen)), Crossings::Unknown);
-        assert_ne!(wall.crossings(&fan, None), Crossings::Unknown);
+        assert_eq!(wall.crossings(&packet, Some(&screen)), Crossings::Unknown);
+        assert_ne!(wall.crossings(&packet, None), Crossings::Unknown);
     }
 }

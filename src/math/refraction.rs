@@ -1,23 +1,23 @@
-//! What becomes of a ray at the smooth boundary of two clear media.
+//! Reflection and refraction at the smooth boundary of two clear media.
 
 use glam::DVec3;
 
 use super::direction;
 
-/// How much of a ray is mirrored at a boundary, and where the rest goes on.
+/// The reflected share of a ray at a boundary, and the refracted direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refraction {
-    /// The share of the light that is mirrored, from 0 to 1, the mean of both polarisations.
+    /// The reflected share of the light, from 0 to 1, the mean of both polarisations.
     pub reflectance: f64,
-    /// The unit direction of what passes, strictly on the other side; `None` if nothing does.
+    /// The refracted unit direction, on the other side; `None` at total reflection.
     pub bent: Option<DVec3>,
 }
 
 impl Refraction {
-    /// What becomes of a ray along the unit `dir` at a boundary with this unit normal, on either
-    /// side of it, between media with these indices of refraction.
+    /// The refraction of a ray along the unit `dir` at a boundary with a unit normal.
     ///
-    /// Between equal media there is no boundary: the direction stays as it is, bit for bit.
+    /// `from` and `into` are the indices of refraction; the ray may come from either side of the
+    /// normal. Between equal media there is no boundary: the direction stays the same, bit for bit.
     #[must_use]
     pub fn new(dir: DVec3, normal: DVec3, from: f64, into: f64) -> Self {
         let falls = dir.dot(normal);
@@ -38,9 +38,9 @@ impl Refraction {
             };
         }
         let bent_cosine = (1.0 - bent_sine_squared).sqrt();
-        // The part along the boundary shrinks by the ratio, and what lacks to a unit vector goes
-        // along the normal (de Greve 2006, "Reflections and refractions in ray tracing"). A square
-        // root of what is not zero is above 1e-8, so no rounding turns the ray back.
+        // The part along the boundary shrinks by the ratio; the rest of a unit vector goes along
+        // the normal (de Greve 2006, "Reflections and refractions in ray tracing"). A square root
+        // of a number above zero is above 1e-8, so rounding does not send the ray back.
         let ahead = normal * (ratio * falls.abs() - bent_cosine);
         let ahead = if falls > 0.0 { -ahead } else { ahead };
         Self {
@@ -50,8 +50,9 @@ impl Refraction {
     }
 }
 
-/// The share of unpolarised light that is mirrored at a boundary, which it meets at the angle with
-/// the first cosine and leaves at that with the second (Fresnel 1823).
+/// The reflected share of unpolarised light (Fresnel 1823).
+///
+/// The cosines are those of the angles of incidence and of refraction.
 fn reflectance(from: f64, cosine: f64, into: f64, bent_cosine: f64) -> f64 {
     let share = |near: f64, far: f64| {
         let amplitude = (near - far) / (near + far);
@@ -68,7 +69,7 @@ mod tests {
 
     const GLASS: f64 = 1.5;
 
-    /// At a boundary in the plane y = 0, coming down at this angle to the normal.
+    /// The refraction at the plane y = 0 of a ray from above at an angle.
     fn down(angle: f64, from: f64, into: f64) -> Refraction {
         let dir = DVec3::new(libm::sin(angle), -libm::cos(angle), 0.0);
         Refraction::new(dir, DVec3::Y, from, into)
@@ -95,8 +96,9 @@ mod tests {
         }
     }
 
-    /// Hecht, "Optics", plots these for glass of index 1.5; computed here from the sines and
-    /// tangents in which Fresnel wrote them.
+    /// Checks glass of index 1.5, plotted in Hecht, "Optics".
+    ///
+    /// Computed from the sines and tangents of Fresnel's own form.
     #[test]
     fn oblique_light_is_mirrored_as_fresnel_says() {
         for (from, into) in [(1.0, GLASS), (GLASS, 1.0), (1.0, 1.333), (1.333, 2.417)] {
@@ -116,8 +118,9 @@ mod tests {
         }
     }
 
-    /// At the angle whose tangent is the ratio, all that is mirrored is polarised: half of
-    /// ((n² − 1) / (n² + 1))² (Brewster 1815).
+    /// At the angle whose tangent is the ratio, all reflected light is polarised.
+    ///
+    /// Half of ((n² − 1) / (n² + 1))² is reflected (Brewster 1815).
     #[test]
     fn at_brewsters_angle_one_polarisation_passes_whole() {
         for into in [1.333, GLASS, 2.417] {
@@ -168,7 +171,7 @@ mod tests {
             let back = Refraction::new(-bent, normal, 2.417, 1.333);
             assert!((back.bent.expect("as it came") + dir).length() < 1e-12);
             assert!((back.reflectance - there.reflectance).abs() < 1e-12);
-            // And it does not matter which side the normal is on.
+            // The result does not depend on the side of the normal.
             assert_eq!(Refraction::new(dir, -normal, 1.333, 2.417), there);
         }
     }
@@ -190,7 +193,7 @@ mod tests {
                 1.0,
             );
         }
-        // A rounding above the critical angle, what passes runs along the boundary, and beyond it.
+        // A rounding above the critical angle, the refracted ray runs along the boundary.
         let dir = direction(DVec3::new(
             1.0 / GLASS,
             -(1.0 - 1.0 / (GLASS * GLASS)).sqrt(),

@@ -1,8 +1,8 @@
-//! Linear colour.
+//! Linear colours.
 
 use std::ops::{Add, AddAssign, Div, Mul};
 
-/// Red, green and blue intensity or reflectivity, linear; 1 is full, and nothing limits it to 1.
+/// Linear red, green and blue intensity or reflectivity; 1 is full, not a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rgb {
     /// Red.
@@ -31,28 +31,27 @@ impl Rgb {
         self.r.max(self.g).max(self.b)
     }
 
-    /// The largest of the three channels, whichever sign it has.
+    /// The largest absolute value of the three channels.
     #[must_use]
     pub fn largest(self) -> f64 {
         self.r.abs().max(self.g.abs()).max(self.b.abs())
     }
 
-    /// Whether every channel is zero.
+    /// Returns whether every channel is zero.
     #[must_use]
     pub fn is_black(self) -> bool {
         self == Self::BLACK
     }
 
-    /// Whether every channel is neither infinite nor not-a-number.
+    /// Returns whether no channel is infinite or not-a-number.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
     }
 
-    /// The same colour, with the largest numbers there are in place of infinite ones.
+    /// The same colour with infinite channels replaced by the largest finite numbers.
     ///
-    /// Where light is so bright that no number can say how bright, the picture is as bright as a
-    /// number can say; and nothing that is infinite meets a zero later on.
+    /// Later products with zero are then zero, and not not-a-number.
     #[must_use]
     pub fn saturated(self) -> Self {
         let saturate = |channel: f64| channel.clamp(f64::MIN, f64::MAX);

@@ -1,7 +1,9 @@
-//! Numbers that look random and are not.
+//! Pseudorandom numbers.
 
-/// A bijection that turns neighbouring numbers into unrelated ones: the finalizer of `SplitMix64`
-/// (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators", variant 13).
+/// A bijection that maps neighbouring numbers to unrelated ones.
+///
+/// The finalizer of `SplitMix64` (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number
+/// generators", variant 13).
 #[must_use]
 pub fn scramble(number: u64) -> u64 {
     let mixed = number.wrapping_add(0x9E37_79B9_7F4A_7C15);

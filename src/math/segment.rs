@@ -1,10 +1,10 @@
-//! The way from a point to a light.
+//! Segments: shadow rays from a point to a light.
 
 use glam::DVec3;
 
 use super::{Crossing, Flat, Limits, Point, Ray, RayOrigin, Span, direction};
 
-/// The straight way from a point on a surface to another point, such as a light.
+/// A line segment from a point on a surface to another point, such as a light.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment<'a> {
     /// The ray from the start towards the end.
@@ -13,7 +13,7 @@ pub struct Segment<'a> {
     pub end: Point,
     /// The distance from start to end.
     pub length: f64,
-    /// A plane across the z axis, above which nothing stands in the way.
+    /// A plane across the z axis; nothing above it occludes.
     pub screen: Option<&'a Flat>,
 }
 
@@ -45,10 +45,10 @@ impl<'a> Segment<'a> {
         })
     }
 
-    /// Whether a crossing of this plane counts that is known to lie between the ends.
+    /// Returns whether a crossing that lies between the ends counts.
     ///
-    /// Of a segment that is nearly in the plane the distance of the crossing can be anything, even
-    /// infinite; but it lies before the end.
+    /// The rounded distance of a crossing nearly in the plane can have any value, even infinity. It
+    /// is therefore limited to the length of the segment.
     #[must_use]
     #[inline]
     pub fn holds(&self, crossing: &Crossing, flat: &Flat) -> bool {
@@ -57,8 +57,9 @@ impl<'a> Segment<'a> {
         self.admits(t.min(self.length), error, Some(flat))
     }
 
-    /// Whether what lies between the ends counts that was met at distance `t`; `flat` is its plane,
-    /// if it lies in one.
+    /// Returns whether a hit between the ends, at distance `t`, counts.
+    ///
+    /// `flat` is the plane of the surface, if it has one.
     #[must_use]
     #[inline]
     pub fn admits(&self, t: f64, error: impl FnOnce() -> f64, flat: Option<&Flat>) -> bool {
@@ -69,7 +70,7 @@ impl<'a> Segment<'a> {
         limits.span().admits(t, error) && limits.hold(t, error, flat)
     }
 
-    /// The distances at which something can stand in the way.
+    /// The distances at which an occluder counts.
     #[must_use]
     pub fn limits(&self) -> Limits<'a> {
         self.screen

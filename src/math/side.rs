@@ -5,7 +5,7 @@ use super::exact::Sign;
 /// The side of a surface that a point is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Where the normal points: the side that is lit.
+    /// The side that the normal points to, which is lit.
     Front,
     /// Exactly on the surface.
     On,
@@ -14,7 +14,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// The side that the sign of a height above a surface stands for.
+    /// The side for the sign of a height above a surface.
     #[must_use]
     pub fn of(height: Sign) -> Self {
         match height {
@@ -24,7 +24,7 @@ impl Side {
         }
     }
 
-    /// The other side; there is none of what lies on the surface.
+    /// The other side; `None` on the surface.
     #[must_use]
     pub fn opposite(self) -> Option<Self> {
         match self {

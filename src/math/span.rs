@@ -1,8 +1,8 @@
-//! The stretch of a ray that counts.
+//! Spans of distances along a ray.
 
-/// The distances along a ray that count: open at zero, closed at the given bounds.
+/// A span of distances along a ray that count: open at zero, closed at its bounds.
 ///
-/// Comparisons are written so that not-a-number lies outside.
+/// Comparisons put not-a-number outside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     min: f64,
@@ -22,16 +22,15 @@ impl Span {
         self.max
     }
 
-    /// Whether a hit at distance `t` counts.
+    /// Returns whether a hit at distance `t` counts.
     #[must_use]
     pub fn contains(self, t: f64) -> bool {
         t > 0.0 && t >= self.min && t <= self.max
     }
 
-    /// Whether a hit counts that was computed to lie at distance `t`, but may be nearer by as much
-    /// as `error`.
+    /// Returns whether a hit at distance `t` counts, which may be nearer by `error`.
     ///
-    /// So a hit that may be the nearest is not lost only because another is known better.
+    /// The nearest hit is then not lost because another has a smaller error.
     #[must_use]
     pub fn admits(self, t: f64, error: f64) -> bool {
         t > 0.0 && t >= self.min && t - error <= self.max && t <= f64::MAX

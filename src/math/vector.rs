@@ -1,11 +1,11 @@
-//! Directions of any length made unit, without overflow or underflow on the way.
+//! Unit vectors along directions of any length, without overflow or underflow.
 
 use glam::DVec3;
 
 /// The unit vector along `vector`; `None` if it is zero or not finite.
 ///
-/// The lengths from 1e-300 to 1e300 are all good: outside the middle of the range the vector is
-/// first scaled by a power of two, which is exact.
+/// All lengths from 1e-300 to 1e300 are valid. Very long and very short vectors are first scaled by
+/// a power of two, which is exact.
 #[must_use]
 pub fn unit(vector: DVec3) -> Option<DVec3> {
     let largest = vector.abs().max_element();
@@ -23,19 +23,19 @@ pub fn unit(vector: DVec3) -> Option<DVec3> {
     Some(direction(scaled))
 }
 
-/// The unit vector along a vector that is known to be neither zero nor extreme.
+/// The unit vector along a vector that is neither zero nor extreme.
 ///
-/// Divides instead of multiplying by a reciprocal, which saves one rounding.
+/// A division has one rounding less than a product with the reciprocal.
 #[must_use]
 pub fn direction(vector: DVec3) -> DVec3 {
     vector / vector.length()
 }
 
-/// The mirrored direction of a unit direction at a surface with this unit normal.
+/// The reflected direction of a unit direction at a surface with this unit normal.
 ///
-/// It leads to the side that the direction came from, or along the surface: where rounding would
-/// turn a grazing direction through the mirror, the part along the normal is taken off and that
-/// of the mirrored direction put in its place.
+/// It leads to the side that the direction came from, or along the surface.
+// Rounding can turn a grazing direction through the mirror. Then the part along the normal is
+// replaced by that of the reflected direction.
 #[must_use]
 pub(super) fn reflected(dir: DVec3, normal: DVec3) -> DVec3 {
     let falls = dir.dot(normal);

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::coincident::{Coincidence, coincidences};
 use crate::camera::{Camera, View};
-use crate::language::{Location, Node, Problem, Value};
+use crate::language::{Diagnostic, Location, Node, Value};
 use crate::light::Light;
 use crate::math::{Flat, Point, Side, unit};
 use crate::scene::Scene;
@@ -18,7 +18,7 @@ const XDIR_TOLERANCE: f64 = 0.1;
 
 /// Warnings about geometry that is allowed but probably not meant.
 #[must_use]
-pub fn check(scene: &Scene) -> Vec<Problem> {
+pub fn check(scene: &Scene) -> Vec<Diagnostic> {
     let surfaces = || scene.surfaces.iter().map(AsRef::as_ref);
     let lights = scene.lights.iter();
     let subjects = surfaces().map(surface_subject);
@@ -61,18 +61,18 @@ fn title((node, _): &Subject) -> String {
     }
 }
 
-fn warning(subject: &Subject, what: &str, [label, help]: [&str; 2]) -> Problem {
+fn warning(subject: &Subject, what: &str, [label, help]: [&str; 2]) -> Diagnostic {
     let start = Location {
         source: 0,
         start: 0,
         length: 0,
     };
     let message = format!("{} {what}", title(subject));
-    Problem::warning(subject.1.unwrap_or(start), message, label).help(help)
+    Diagnostic::warning(subject.1.unwrap_or(start), message, label).help(help)
 }
 
 /// Reports an `xdir` that does not lie in the plane; it is projected into it.
-fn tilted_xdir(subject: &Subject) -> Option<Problem> {
+fn tilted_xdir(subject: &Subject) -> Option<Diagnostic> {
     let node = &subject.0;
     let known = |word| node.entry(word).is_some();
     if !(known("xdir") && known("normal")) {
@@ -90,7 +90,7 @@ fn tilted_xdir(subject: &Subject) -> Option<Problem> {
 }
 
 /// Reports a light on the front of no surface.
-fn useless_light(light: &Light, scene: &Scene) -> Option<Problem> {
+fn useless_light(light: &Light, scene: &Scene) -> Option<Diagnostic> {
     let location = Point::exact(light.location);
     let mut surfaces = scene.surfaces.iter();
     if surfaces.len() == 0 || surfaces.any(|it| it.shape().side(&location) == Side::Front) {
@@ -107,7 +107,7 @@ fn useless_light(light: &Light, scene: &Scene) -> Option<Problem> {
 }
 
 /// Reports lamps that shine on the front of no surface.
-fn useless_lamps(scene: &Scene) -> Vec<Problem> {
+fn useless_lamps(scene: &Scene) -> Vec<Diagnostic> {
     let surfaces = SurfaceList::new(&scene.surfaces);
     let silhouettes = Silhouettes::new(scene.surfaces.len());
     let receivers = surfaces.primitives().iter();
@@ -131,7 +131,7 @@ fn useless_lamps(scene: &Scene) -> Vec<Problem> {
 }
 
 /// Reports a closed surface around the camera.
-fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
+fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Diagnostic> {
     let is_closed = surface.shape().carrier().is_none();
     let is_inside = surface.shape().side(&Point::exact(camera.viewpoint())) == Side::Back;
     let advice = ["not visible from inside", "move the viewpoint out of it"];
@@ -140,7 +140,7 @@ fn around_camera(surface: &dyn Surface, camera: &Camera) -> Option<Problem> {
 }
 
 /// Reports a surface no part of which can be seen directly.
-fn never_in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> Option<Problem> {
+fn never_in_front(surface: &dyn Surface, camera: &Camera, view: &View) -> Option<Diagnostic> {
     if in_front(surface, camera, view) {
         return None;
     }
@@ -197,7 +197,7 @@ fn can_be_hit(flat: &Flat, camera: &Camera, view: &View) -> bool {
 }
 
 /// Reports two surfaces that share an area.
-fn coincides(pair: Coincidence, scene: &Scene) -> Problem {
+fn coincides(pair: Coincidence, scene: &Scene) -> Diagnostic {
     let [earlier, later] = [pair.earlier, pair.later].map(|it| &*scene.surfaces[it]);
     let verb = match later.shape().carrier() {
         Some(_) => "lies in the same plane as",

@@ -25,9 +25,8 @@ pub use appearance::Appearance;
 pub use check::check;
 pub use clock::Timing;
 pub use cost::{
-    Best, Breakdown, Cost, CostOptions, DIALS, Dial, Feature, FeatureShare, Law, Limit,
-    Measurement, OwnError, Reference, Step, SurfaceShare, Sweep, Trade, Uncertainty, Variation,
-    cost, exponent,
+    Best, Breakdown, Cost, CostOptions, Feature, FeatureShare, Law, Limit, Measurement, OwnError,
+    Reference, Step, SurfaceShare, Sweep, Trade, Uncertainty, Variation, cost, exponent,
 };
 pub use deviation::{Change, Deviation};
 pub use explain::effects_of;

@@ -99,7 +99,7 @@ pub fn prices(
     // Not measured: the first picture also fetches program and textures into the caches.
     let (picture, _) = pool.install(|| Render::new(scene).film::<Counts>())?;
     let hash = picture.hash();
-    let picture = picture.shown(scene.settings.transfer);
+    let picture = picture.displayed(scene.settings.transfer);
     let mut drawn = 0;
     for _ in 0..runs {
         for subject in &mut subjects {
@@ -161,7 +161,7 @@ impl Subject<'_> {
         self.seconds.push(seconds);
         self.counts = counts;
         let transfer = self.scene.settings.transfer;
-        self.change = Change::between(picture, &film.shown(transfer));
+        self.change = Change::between(picture, &film.displayed(transfer));
         Ok(())
     }
 

@@ -129,7 +129,7 @@ fn read_again(nodes: impl Iterator<Item = Node>) -> Result<Scene, ValueError> {
     match reading {
         Ok(reading) => Ok(reading.scene),
         Err(scene_error) => {
-            let problem = scene_error.problems.into_iter().next();
+            let problem = scene_error.diagnostics.into_iter().next();
             let reason = problem.map_or_else(String::new, |problem| problem.message);
             let reason = format!("the scene cannot be read again: {reason}");
             Err(ValueError::new(

@@ -1,10 +1,10 @@
-//! Beams of light that certainly miss a surface.
+//! Tests whether the beam of a light certainly misses a surface.
 
 use glam::DVec3;
 
 use crate::geometry::Rectangle;
 use crate::light::Cone;
-use crate::math::error_bounds::{APART, UNIT};
+use crate::math::error_bounds::{APART, BEAM_NORMAL};
 use crate::math::{Ball, Bounds, Point, is_clear};
 
 /// Returns whether a cone of light certainly misses a box.
@@ -14,8 +14,8 @@ pub(super) fn cone_misses(location: DVec3, cone: &Cone, bounds: &Bounds) -> bool
 
 /// Returns whether light through a slide certainly misses a box.
 ///
-/// One plane through the light and a border of the slide has the slide on one side and the box on the
-/// other, both further off than rounding can turn anything.
+/// True if a plane through the light and a border of the slide separates the slide from the box, by
+/// more than the rounding error of the plane and the points.
 pub(super) fn slide_misses(location: DVec3, slide: &Rectangle, bounds: &Bounds) -> bool {
     let corners = slide.corners();
     let next = corners.iter().cycle().skip(1);
@@ -26,9 +26,9 @@ pub(super) fn slide_misses(location: DVec3, slide: &Rectangle, bounds: &Bounds) 
             return false;
         };
         let sine = |point: DVec3| {
-            let way = point - location;
-            let distance = way.length();
-            is_clear(location, point, distance).then(|| normal.dot(way) / distance)
+            let offset = point - location;
+            let distance = offset.length();
+            is_clear(location, point, distance).then(|| normal.dot(offset) / distance)
         };
         let Some(inside) = sine(*inner).filter(|sine| sine.abs() > APART) else {
             return false;
@@ -39,16 +39,17 @@ pub(super) fn slide_misses(location: DVec3, slide: &Rectangle, bounds: &Bounds) 
     })
 }
 
-/// The unit normal of the plane through a light and a border; `None` if rounding could turn it by more
-/// than a sixteenth of [`APART`], as where the border is seen from its end.
+/// The unit normal of the plane through a light and a border.
+///
+/// `None` if its error may exceed a sixteenth of [`APART`], as for a border in line with the light.
 fn normal(light: DVec3, from: DVec3, to: DVec3) -> Option<DVec3> {
-    let [from_way, to_way] = [from, to].map(|corner| corner - light);
-    let normal = from_way.cross(to_way);
+    let [to_start, to_end] = [from, to].map(|corner| corner - light);
+    let normal = to_start.cross(to_end);
     let length = normal.length();
     let size: f64 = [light, from, to]
         .map(|it| Point::exact(it).size())
         .iter()
         .sum();
-    let doubt = 64.0 * UNIT * size * (from_way.length() + to_way.length());
-    (doubt < APART / 16.0 * length).then(|| normal / length)
+    let bound = BEAM_NORMAL * size * (to_start.length() + to_end.length());
+    (bound < APART / 16.0 * length).then(|| normal / length)
 }

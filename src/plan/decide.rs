@@ -1,4 +1,4 @@
-//! Which effects a scene calls for.
+//! The decision about each effect, with its reason.
 
 use super::{Cause, Decision, Effect, Plan};
 use crate::camera::Pattern;
@@ -8,7 +8,7 @@ use crate::scene::RenderSettings;
 use crate::surface::Surface;
 use crate::texture::Filter;
 
-/// Whether each effect is simulated, and why.
+/// The decisions about all effects.
 pub(super) fn all(plan: &Plan<'_>) -> Vec<Decision> {
     Effect::ALL.map(|effect| decide(plan, effect)).into()
 }
@@ -88,15 +88,16 @@ fn soft_shadows(plan: &Plan<'_>) -> Decision {
     Decision::new(Effect::SoftShadows, why, causes)
 }
 
-/// Whether a shadow on a surface could be seen.
+/// Returns whether a shadow on a surface would be visible.
 fn shows_shadows(surface: &dyn Surface) -> bool {
     let ([_, diffuse], common) = (surface.brightest(), surface.common());
-    common.shadows.receive && (diffuse > 0.0 || common.material.has_glints())
+    common.shadows.receive && (diffuse > 0.0 || common.material.has_highlights())
 }
 
 fn glints(plan: &Plan<'_>) -> Decision {
     let is_lit = |index: usize| plan.lights.iter().any(|it| it.unlit[index].is_none());
-    let shiny: Vec<_> = surfaces(plan, |surface| surface.common().material.has_glints()).collect();
+    let shiny: Vec<_> =
+        surfaces(plan, |surface| surface.common().material.has_highlights()).collect();
     let lit: Vec<_> = shiny.iter().filter(|(index, _)| is_lit(*index)).collect();
     let why = match (shiny.len(), lit.len()) {
         (0, _) => "no material has both `shininess` and `specular`".to_owned(),
@@ -146,7 +147,7 @@ fn antialiasing(plan: &Plan<'_>) -> Decision {
             pattern.word()
         ),
     };
-    Decision::new(Effect::Antialiasing, why, of_picture(plan, on))
+    Decision::new(Effect::Antialiasing, why, of_settings(plan, on))
 }
 
 fn transfer_curve(plan: &Plan<'_>) -> Decision {
@@ -154,33 +155,33 @@ fn transfer_curve(plan: &Plan<'_>) -> Decision {
         Transfer::None => (false, "code values are shares of intensity 1"),
         Transfer::Srgb => (true, "`transfer` asks for that of sRGB"),
     };
-    let causes = of_picture(plan, on);
+    let causes = of_settings(plan, on);
     Decision::new(Effect::TransferCurve, why.to_owned(), causes)
 }
 
-/// The picture, if it calls for something.
-fn of_picture(plan: &Plan<'_>, calls: bool) -> Vec<Cause> {
-    let picture = &plan.scene.settings;
-    calls
-        .then(|| Cause::of_picture(picture))
+/// The picture as the only cause, if it is one.
+fn of_settings(plan: &Plan<'_>, causes_effect: bool) -> Vec<Cause> {
+    let settings = &plan.scene.settings;
+    causes_effect
+        .then(|| Cause::of_picture(settings))
         .into_iter()
         .collect()
 }
 
-/// What is called for by surfaces that rays can meet.
+/// The decision about an effect of surfaces that rays can hit.
 fn of_surfaces(
     plan: &Plan<'_>,
     effect: Effect,
-    calls: impl Fn(&dyn Surface) -> bool,
+    causes_effect: impl Fn(&dyn Surface) -> bool,
     [one_does, some_do]: [&str; 2],
     attribute: &str,
 ) -> Decision {
-    let calling: Vec<_> = surfaces(plan, calls).collect();
-    let seen: Vec<_> = calling
+    let having: Vec<_> = surfaces(plan, causes_effect).collect();
+    let seen: Vec<_> = having
         .iter()
         .filter(|(index, _)| plan.reachability[*index].is_reached())
         .collect();
-    let why = match (calling.len(), seen.len()) {
+    let why = match (having.len(), seen.len()) {
         (0, _) => format!("no surface has {attribute}"),
         (_, 0) => format!("no surface that can be seen has {attribute}"),
         (_, 1) => format!("1 surface {one_does}"),
@@ -192,16 +193,16 @@ fn of_surfaces(
     Decision::new(effect, why, causes.collect())
 }
 
-/// What is called for by lights that light something.
-fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) -> Decision {
+/// The decision about an effect of lights that light some surface.
+fn of_lights(plan: &Plan<'_>, effect: Effect, causes_effect: impl Fn(&Light) -> bool) -> Decision {
     let lights = plan.scene.lights.iter().zip(&plan.lights);
-    let calling: Vec<_> = lights.filter(|(light, _)| calls(light)).collect();
-    let useful = calling
+    let having: Vec<_> = lights.filter(|(light, _)| causes_effect(light)).collect();
+    let useful = having
         .iter()
         .filter(|(_, it)| it.unlit.iter().any(Option::is_none));
     let causes: Vec<_> = useful.map(|(light, _)| Cause::of_light(light)).collect();
     let title = effect.title();
-    let why = match (calling.len(), causes.len()) {
+    let why = match (having.len(), causes.len()) {
         (0, _) => format!("the scene has no {title}"),
         (_, 0) => format!("what is in the {title} cannot be lit or seen"),
         (all, some) => format!("{some} of {all} {title} light something"),
@@ -211,14 +212,14 @@ fn of_lights(plan: &Plan<'_>, effect: Effect, calls: impl Fn(&Light) -> bool) ->
 
 fn surfaces<'p>(
     plan: &'p Plan<'_>,
-    calls: impl Fn(&dyn Surface) -> bool + 'p,
+    causes_effect: impl Fn(&dyn Surface) -> bool + 'p,
 ) -> impl Iterator<Item = (usize, &'p dyn Surface)> {
     let all = plan.scene.surfaces.iter().map(AsRef::as_ref).enumerate();
-    all.filter(move |(_, surface)| calls(*surface))
+    all.filter(move |(_, surface)| causes_effect(*surface))
 }
 
 impl Decision {
-    /// An effect that is simulated if something calls for it.
+    /// The decision to simulate an effect if it has causes.
     fn new(effect: Effect, why: String, causes: Vec<Cause>) -> Self {
         Self {
             effect,

@@ -1,4 +1,4 @@
-//! The effects that a scene can call for, and what was decided about them.
+//! The effects of a scene, and the decisions about them.
 
 use serde::Serialize;
 
@@ -7,38 +7,38 @@ use crate::light::Light;
 use crate::scene::RenderSettings;
 use crate::surface::Surface;
 
-/// Something that costs time and changes pictures, if a scene calls for it.
+/// An optical or imaging effect, simulated only if the scene contains it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Effect {
-    /// Surfaces that stand before lights.
+    /// Shadows of point lights.
     Shadows,
-    /// Surfaces that stand before lamps.
+    /// Shadows of lamps, which have penumbras.
     SoftShadows,
-    /// Surfaces that show what is before them.
+    /// Reflections in specular surfaces.
     Mirrors,
-    /// Surfaces that let light through.
+    /// Light through transparent surfaces.
     Transparency,
-    /// Surfaces that bend what goes through them.
+    /// Refraction at surfaces with an index of refraction.
     Refraction,
-    /// The images of lights on shiny surfaces.
+    /// Specular highlights of lights on shiny surfaces.
     Glints,
-    /// Lights that shine into a cone.
+    /// Lights that are limited to a cone.
     SpotCones,
     /// Lights that shine through a slide.
     Projectors,
-    /// Images on surfaces.
+    /// Texture images on surfaces.
     Textures,
-    /// More of an image in a pixel than one texel.
+    /// Filters over the footprint of a ray on a texture.
     TextureFilter,
     /// Several rays through each pixel.
     Antialiasing,
-    /// A curve from intensities to code values.
+    /// A nonlinear transfer function from intensities to code values.
     TransferCurve,
 }
 
 impl Effect {
-    /// All of them, in the order in which they are explained.
+    /// All effects, in the order of reports.
     pub const ALL: [Self; 12] = [
         Self::Shadows,
         Self::SoftShadows,
@@ -54,7 +54,7 @@ impl Effect {
         Self::TransferCurve,
     ];
 
-    /// What it is called.
+    /// The name in reports.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -74,30 +74,30 @@ impl Effect {
     }
 }
 
-/// Whether an effect is simulated, and why.
+/// The decision about an effect, with its reason.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decision {
-    /// What was decided about.
+    /// The effect.
     pub effect: Effect,
-    /// Whether it is simulated.
+    /// True if it is simulated.
     pub on: bool,
-    /// Why, in words.
+    /// The reason, as a text.
     pub why: String,
-    /// What of the scene calls for it, in file order; empty if nothing does.
+    /// The causes in the scene, in file order; empty if it is not simulated.
     pub causes: Vec<Cause>,
 }
 
-/// A thing in the scene.
+/// A cause of an effect: an entity of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cause {
-    /// Its kind and name.
+    /// Its type and name.
     pub title: String,
-    /// Where it stands in the scene file, if it was read from one.
+    /// Its position in the scene file; `None` if it was not read from a file.
     pub location: Option<Location>,
 }
 
 impl Cause {
-    /// A surface.
+    /// A surface as a cause.
     #[must_use]
     pub fn of_surface(surface: &dyn Surface) -> Self {
         let common = surface.common();
@@ -105,14 +105,14 @@ impl Cause {
         Self::new(word, common.name.as_deref(), common.location)
     }
 
-    /// A light.
+    /// A light as a cause.
     #[must_use]
     pub fn of_light(light: &Light) -> Self {
         let word = light.describe().schema.word;
         Self::new(word, light.name.as_deref(), light.place)
     }
 
-    /// The picture.
+    /// The render settings as a cause.
     #[must_use]
     pub fn of_picture(picture: &RenderSettings) -> Self {
         Self::new(RenderSettings::SCHEMA.word, None, picture.place)

@@ -1,4 +1,4 @@
-//! The plan of a scene: what is simulated, and why.
+//! The plan of a scene: the effects that are simulated, with reasons.
 
 mod beam;
 mod decide;
@@ -26,7 +26,7 @@ use crate::surface::Surface;
 use crate::texture::Filter;
 use crate::visibility::{Accelerator, Emitter, LightView, ScreenBounds, Silhouettes, SurfaceList};
 
-/// A scene prepared for tracing: what is simulated of it.
+/// A scene prepared for tracing, with all decisions about its effects.
 #[derive(Debug)]
 pub struct Plan<'a> {
     /// The scene.
@@ -35,22 +35,23 @@ pub struct Plan<'a> {
     pub camera: Camera,
     /// The surfaces that rays can hit.
     pub surfaces: SurfaceList<'a>,
-    /// The screen bounds of surfaces; `None` if every surface is tested for every camera ray, or a
-    /// tree finds them.
+    /// The screen bounds of surfaces.
+    ///
+    /// `None` if every surface is tested for every camera ray, or if a tree finds them.
     pub screen_bounds: Option<ScreenBounds<'a>>,
-    /// How rays can reach each surface.
+    /// The reachability of each surface.
     pub reachability: Vec<Reachability>,
     /// The lights, in the order of the scene.
     pub lights: Vec<PlannedLight<'a>>,
     /// The lamps, in the order of the scene's surfaces.
     pub lamps: Vec<PlannedLight<'a>>,
-    /// The outlines of surfaces in the picture; `None` if no setting asks for them.
+    /// The outlines of surfaces in the picture; `None` without adaptive sampling.
     pub outlines: Option<Outlines>,
-    /// A bound of the light that a ray can bring back.
+    /// A bound of the light that a ray can add.
     pub tail: Tail,
-    /// The texture filter; `None` if the texel at a hit is enough, and footprints are not followed.
+    /// The texture filter; `None` if footprints are not needed.
     pub filter: Option<Filter>,
-    /// The extent of what is simulated.
+    /// The scope of the simulation.
     pub scope: Scope,
 }
 
@@ -59,7 +60,7 @@ pub struct Plan<'a> {
 pub struct PlannedLight<'a> {
     /// Its receivers and occluders.
     pub view: LightView<'a>,
-    /// For each surface the reason for which the light never arrives there; `None` if it may.
+    /// The reason for which each surface gets no light; `None` if it may get some.
     pub unlit: Vec<Option<Unlit>>,
 }
 
@@ -76,7 +77,7 @@ impl<'a> Plan<'a> {
         Self::with(scene, scope, accelerator)
     }
 
-    /// The same plan with surfaces found in this way; classic numerics always use a list.
+    /// A plan with this accelerator; classic numerics always use a list.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -91,11 +92,12 @@ impl<'a> Plan<'a> {
             Numerics::Robust => SurfaceList::with(&scene.surfaces, accelerator),
             numerics => SurfaceList::classic(&scene.surfaces, numerics),
         };
-        // Nothing is proven of rounded values, so they leave nothing out.
+        // Rounded values have no proven bounds, so they permit no shortcuts.
         let saves = scope == Scope::CalledFor && settings.numerics == Numerics::Robust;
         let screen_bounds = saves.then(|| ScreenBounds::new(&surfaces, &camera));
         let reachability = Reachability::all(scene, screen_bounds.as_ref(), &camera);
-        let (lights, lamps) = planned_lights(scene, &surfaces, &reachability, saves);
+        let is_open = camera.screen().is_none();
+        let (lights, lamps) = planned_lights(scene, &surfaces, &reachability, is_open, saves);
         let all_tested = surfaces.accelerator() == Accelerator::List;
         Ok(Self {
             scene,
@@ -131,6 +133,7 @@ fn planned_lights<'a>(
     scene: &'a Scene,
     surfaces: &SurfaceList<'a>,
     reachability: &[Reachability],
+    is_open: bool,
     saves: bool,
 ) -> (Vec<PlannedLight<'a>>, Vec<PlannedLight<'a>>) {
     let silhouettes = Arc::new(Silhouettes::new(scene.surfaces.len()));
@@ -140,6 +143,7 @@ fn planned_lights<'a>(
         let unlit: Vec<_> = unlit.collect();
         let lights = |index: usize| unlit[index].is_none();
         let view = LightView::new(surfaces, &silhouettes, emitter, !saves, lights);
+        let view = view.open(is_open);
         PlannedLight { view, unlit }
     };
     let lights = scene.lights.iter().map(|light| {
@@ -158,7 +162,7 @@ fn planned_lights<'a>(
     (lights.collect(), lamps.collect())
 }
 
-/// The outlines in a picture that sends more rays through some pixels than through others.
+/// The outlines for adaptive sampling; `None` for a fixed number of rays per pixel.
 fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
     let RenderSettings {
         width,
@@ -172,7 +176,7 @@ fn outlines(scene: &Scene, camera: &Camera) -> Option<Outlines> {
     })
 }
 
-/// The filter of a scene whose textures it makes a difference to.
+/// The texture filter; `None` if it cannot change the picture.
 fn filter(scene: &Scene, scope: Scope) -> Option<Filter> {
     (scene.is_filtered() || scope == Scope::Everything).then_some(scene.settings.texture_filter)
 }

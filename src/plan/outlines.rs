@@ -1,4 +1,4 @@
-//! Through which pixels the outlines of surfaces run.
+//! The outlines of surfaces on the raster.
 
 use std::ops::Range;
 
@@ -9,10 +9,10 @@ use crate::film::Region;
 use crate::math::unit;
 use crate::surface::Surface;
 
-/// The outlines of surfaces as lines in a picture.
+/// The outlines of surfaces as lines on the raster.
 ///
-/// They only tell where more rays are worth while, so they need not be exact; they are the same on
-/// every machine.
+/// They only guide adaptive sampling, so they need not be exact. They are the same on every
+/// machine.
 #[derive(Debug)]
 pub struct Outlines {
     /// The picture's height in pixels.
@@ -20,23 +20,28 @@ pub struct Outlines {
     lines: Vec<Line>,
 }
 
-/// The ends of a line: their places in pixels from the centre of the lower-left one, and one divided
-/// by their depths, which is linear in the picture, too.
+/// The ends of a line, as raster coordinates and inverse depths.
+///
+/// Raster coordinates are in pixels from the centre of the lower-left pixel. Inverse depth is
+/// linear on the raster.
 type Line = [DVec3; 2];
 
-/// For each pixel of a part of a picture, how near to the eye the nearest outline is that runs through
-/// it: a thing in front of others cannot be in a pixel unseen without its outline.
+/// The depth of the nearest outline through each pixel of a part of the picture.
+///
+/// A surface that covers only a part of a pixel has its outline there.
 #[derive(Debug)]
 pub struct OutlineDepths {
     part: Region,
-    /// Row by row from the top; infinite where there is no outline.
+    /// Row by row from the top; infinite in pixels without an outline.
     nearest: Vec<f64>,
 }
 
-/// Half the width of an outline, in pixels; an outline of chords is no further off than this.
+/// Half the width of an outline, in pixels.
+///
+/// It covers the error of the polygons for round outlines.
 const HALF_WIDTH: f64 = 1.0 / 16.0;
 
-/// Corners of the polygon that stands for a round outline.
+/// The number of corners of the polygon that approximates a round outline.
 const CORNERS: u32 = 256;
 
 impl Outlines {
@@ -56,7 +61,7 @@ impl Outlines {
             let images: Vec<_> = corners.into_iter().map(|it| camera.image(it)).collect();
             let ends = images.iter().cycle().skip(1);
             let sides = images.iter().zip(ends);
-            lines.extend(sides.filter_map(|(start, end)| within([*start, *end], size)));
+            lines.extend(sides.filter_map(|(start, end)| clip([*start, *end], size)));
         }
         Self {
             height: size[1] as usize,
@@ -64,7 +69,7 @@ impl Outlines {
         }
     }
 
-    /// How near the outlines are that run through the pixels of a part of the picture.
+    /// The depths of the nearest outlines in a part of the picture.
     #[must_use]
     pub fn over(&self, part: Region) -> OutlineDepths {
         let mut depths = OutlineDepths {
@@ -79,8 +84,9 @@ impl Outlines {
 }
 
 impl OutlineDepths {
-    /// The depth of the nearest outline through a pixel of the part, which lies in this column and row of
-    /// the picture; infinite if there is none.
+    /// The depth of the nearest outline through a pixel; infinite if there is none.
+    ///
+    /// The pixel is given by its column and row in the picture, and must lie in the part.
     #[must_use]
     pub fn nearest(&self, [column, row]: [usize; 2]) -> f64 {
         self.nearest[(row - self.part.top) * self.part.width + (column - self.part.left)]
@@ -88,14 +94,14 @@ impl OutlineDepths {
 
     /// Draws a line of a picture of this height.
     fn draw(&mut self, [from, to]: &Line, height: usize) {
-        let [left, top, right, bottom] = self.part.corners();
+        let [left, top, right, bottom] = self.part.bounds();
         // Lines count rows from the bottom.
         for row in touched([from.y, to.y], height - bottom..height - top) {
             let rise = to.y - from.y;
             let crossings = if rise == 0.0 {
                 [0.0, 1.0]
             } else {
-                reach(row).map(|y| ((y - from.y) / rise).clamp(0.0, 1.0))
+                extent(row).map(|y| ((y - from.y) / rise).clamp(0.0, 1.0))
             };
             let [one, other] = crossings.map(|at| *from + (*to - *from) * at);
             let columns = touched([one.x, other.x], left..right);
@@ -109,12 +115,14 @@ impl OutlineDepths {
     }
 }
 
-/// The part of a line between two images that lies in a picture of this width and height, or not
-/// far beside it.
-fn within([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
+/// Clips the line between two homogeneous image points to a raster.
+///
+/// The raster is extended by half a pixel. `None` if no part of the line is inside and in front of
+/// the camera.
+fn clip([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
     let [width, height] = size.map(f64::from);
-    // How far inside each side of the picture it is, with the sides a pixel further out; between any
-    // two of them depths are above zero.
+    // The distance inside each side of the raster, times depth. A point inside two opposite sides
+    // has a depth above zero.
     let inside = |DVec3 { x, y, z }| [x + z, width * z - x, y + z, height * z - y];
     let (mut enters, mut leaves) = (0.0f64, 1.0f64);
     for (before, after) in inside(start).into_iter().zip(inside(end)) {
@@ -133,11 +141,12 @@ fn within([start, end]: [DVec3; 2], size: [u32; 2]) -> Option<Line> {
     is_seen.then(|| ends.map(|it| DVec3::new(it.x / it.z, it.y / it.z, 1.0 / it.z)))
 }
 
-/// The outline of an ellipsoid along the axes as it is seen from somewhere, as a polygon; empty from
-/// within.
+/// The silhouette of an axis-aligned ellipsoid from the eye, as a polygon.
+///
+/// Empty if the eye is inside.
 fn silhouette(eye: DVec3, [center, axes]: [DVec3; 2]) -> Vec<DVec3> {
-    // In units of its axes it is a ball of radius 1. What is seen ends where the line of sight
-    // touches it, at right angles to the radius.
+    // In units of its axes it is a ball of radius 1. The silhouette is the circle where lines of
+    // sight are tangent to the ball, at right angles to the radius.
     let eye = (eye - center) / axes;
     let far = eye.length_squared();
     let Some(toward) = unit(eye).filter(|_| far > 1.0) else {
@@ -146,22 +155,22 @@ fn silhouette(eye: DVec3, [center, axes]: [DVec3; 2]) -> Vec<DVec3> {
     let radius = (1.0 - 1.0 / far).sqrt();
     let (across, up) = toward.any_orthonormal_pair();
     let corner = |number: u32| {
-        let turn = f64::from(number) / f64::from(CORNERS) * std::f64::consts::TAU;
-        let (sine, cosine) = libm::sincos(turn);
+        let angle = f64::from(number) / f64::from(CORNERS) * std::f64::consts::TAU;
+        let (sine, cosine) = libm::sincos(angle);
         let point = eye / far + (across * cosine + up * sine) * radius;
         center + point * axes
     };
     (0..CORNERS).map(corner).collect()
 }
 
-/// From where to where a column or row of pixels reaches that an outline touches.
-fn reach(pixel: usize) -> [f64; 2] {
+/// The range of coordinates of outlines that touch a column or row of pixels.
+fn extent(pixel: usize) -> [f64; 2] {
     #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
     let center = pixel as f64;
     [center - 0.5 - HALF_WIDTH, center + 0.5 + HALF_WIDTH]
 }
 
-/// Those of some columns or rows that an outline touches between two places, in either order.
+/// The columns or rows that an outline touches between two coordinates.
 fn touched([one, other]: [f64; 2], pixels: Range<usize>) -> Range<usize> {
     let (first, last) = (
         one.min(other) - HALF_WIDTH + 0.5,

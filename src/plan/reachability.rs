@@ -1,4 +1,4 @@
-//! The ways in which rays can reach a surface.
+//! The reachability of surfaces by rays.
 
 use glam::DVec3;
 use serde::Serialize;
@@ -10,29 +10,29 @@ use crate::scene::{RenderSettings, Scene};
 use crate::surface::Surface;
 use crate::visibility::{ScreenBounds, shared_border_error};
 
-/// The way in which rays can reach a surface.
+/// The reachability of a surface by rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reachability {
     /// From the eye.
     Directly,
-    /// Sent on by mirrors or through surfaces, but not from the eye.
+    /// Only after reflection or transmission.
     SentOn,
     /// Not at all.
     Never,
 }
 
-/// The largest number of pairs of a surface that sends rays on and another surface that are examined.
+/// The largest number of pairs of a scattering and another surface to examine.
 ///
-/// In larger scenes every surface counts as one that can be reached.
+/// In larger scenes every surface counts as reachable.
 const MOST_PAIRS: usize = 1 << 20;
 
 impl Reachability {
-    /// The reachability of each surface: from the camera, and from surfaces that send rays on.
+    /// The reachability of each surface from the camera and scattering surfaces.
     ///
-    /// Without screen bounds all count as visible. A flat surface reflects rays to the side that they
-    /// come from and lets them through to the other, and reaches nothing that lies wholly on a side to
-    /// which none go. A round surface sends rays anywhere.
+    /// Without screen bounds all count as visible. A flat surface reflects rays to the side of
+    /// their origin and transmits them to the other. They reach no surface that lies wholly on a
+    /// side without rays. A round surface scatters rays in all directions.
     pub(super) fn all(
         scene: &Scene,
         screen_bounds: Option<&ScreenBounds<'_>>,
@@ -57,7 +57,7 @@ impl Reachability {
         }
         let mut propagation = Propagation::new(scene, seen);
         propagation.arrive_from_eye(&Point::exact(camera.viewpoint()));
-        while let Some((sender, side)) = propagation.waiting.pop() {
+        while let Some((sender, side)) = propagation.pending.pop() {
             propagation.send_on(sender, side);
         }
         propagation.seen
@@ -70,18 +70,18 @@ impl Reachability {
     }
 }
 
-/// Rays on their way from surface to surface.
+/// The propagation of reachability from surface to surface.
 #[derive(Debug)]
 struct Propagation<'s> {
     surfaces: &'s [Box<dyn Surface>],
-    /// A box in which each surface is met; `None` if it has no end.
+    /// The box in which each surface can be hit; `None` if it is unbounded.
     boxes: Vec<Option<Bounds>>,
-    /// How rays can meet each surface, as far as that is known yet.
+    /// The reachability of each surface so far.
     seen: Vec<Reachability>,
-    /// Whether rays arrive at the front and at the back of each surface that sends them on.
-    arrived: Vec<[bool; 2]>,
-    /// The surfaces and sides that rays arrive at which have not been sent on yet.
-    waiting: Vec<(usize, Side)>,
+    /// True for the front and back of each scattering surface if rays arrive there.
+    marked: Vec<[bool; 2]>,
+    /// Surfaces and sides whose scattered rays are not propagated yet.
+    pending: Vec<(usize, Side)>,
 }
 
 impl<'s> Propagation<'s> {
@@ -89,34 +89,34 @@ impl<'s> Propagation<'s> {
         let surfaces = &scene.surfaces[..];
         Self {
             surfaces,
-            boxes: surfaces.iter().map(|it| met_within(&**it)).collect(),
+            boxes: surfaces.iter().map(|it| hit_bounds(&**it)).collect(),
             seen,
-            arrived: vec![[false; 2]; surfaces.len()],
-            waiting: Vec::new(),
+            marked: vec![[false; 2]; surfaces.len()],
+            pending: Vec::new(),
         }
     }
 
-    /// Rays arrive from the eye at all surfaces that it sees.
+    /// Marks the sides of visible surfaces at which camera rays arrive.
     fn arrive_from_eye(&mut self, eye: &Point) {
         for (index, surface) in self.surfaces.iter().enumerate() {
             for side in SIDES {
-                let is_here =
-                    surface.shape().carrier().is_none() || surface.shape().side(eye) != other(side);
-                if self.seen[index] == Reachability::Directly && is_here {
+                let is_facing = surface.shape().carrier().is_none()
+                    || surface.shape().side(eye) != opposite(side);
+                if self.seen[index] == Reachability::Directly && is_facing {
                     self.arrive(index, side);
                 }
             }
         }
     }
 
-    /// Rays that arrived at one side of a surface go on to all that they can meet then.
+    /// Marks all surfaces that rays from one side of a surface can hit after it.
     fn send_on(&mut self, sender: usize, from: Side) {
         for (index, surface) in self.surfaces.iter().enumerate() {
-            let can_meet = |to: Side| {
+            let can_hit = |to: Side| {
                 let bounds = self.boxes[index].as_ref();
                 can_go(&*self.surfaces[sender], from, to, bounds)
             };
-            if index == sender || !SIDES.into_iter().any(can_meet) {
+            if index == sender || !SIDES.into_iter().any(can_hit) {
                 continue;
             }
             if self.seen[index] == Reachability::Never {
@@ -125,43 +125,43 @@ impl<'s> Propagation<'s> {
             for side in SIDES {
                 let start = self.boxes[sender].as_ref();
                 let flat = surface.shape().carrier();
-                if flat.is_none_or(|flat| !is_beyond(start, flat, other(side))) {
+                if flat.is_none_or(|flat| !is_beyond(start, flat, opposite(side))) {
                     self.arrive(index, side);
                 }
             }
         }
     }
 
-    /// Rays arrive at one side of a surface, which may send them on.
+    /// Marks one side of a surface as hit; it is pending if the surface scatters.
     fn arrive(&mut self, index: usize, side: Side) {
-        let known = &mut self.arrived[index][usize::from(side == Side::Back)];
-        if sends_on(&*self.surfaces[index]) && !std::mem::replace(known, true) {
-            self.waiting.push((index, side));
+        let is_marked = &mut self.marked[index][usize::from(side == Side::Back)];
+        if sends_on(&*self.surfaces[index]) && !std::mem::replace(is_marked, true) {
+            self.pending.push((index, side));
         }
     }
 }
 
 const SIDES: [Side; 2] = [Side::Front, Side::Back];
 
-fn other(side: Side) -> Side {
+fn opposite(side: Side) -> Side {
     side.opposite().unwrap_or(side)
 }
 
 fn sends_on(surface: &dyn Surface) -> bool {
-    surface.common().material.sends_on()
+    surface.common().material.spawns_rays()
 }
 
-/// A box in which a surface is met; `None` if it has no end.
-fn met_within(surface: &dyn Surface) -> Option<Bounds> {
+/// The box in which a surface can be hit; `None` if it is unbounded.
+fn hit_bounds(surface: &dyn Surface) -> Option<Bounds> {
     let Bounds { min, max } = surface.shape().bounds()?;
-    let beside = DVec3::splat(shared_border_error(surface));
+    let margin = DVec3::splat(shared_border_error(surface));
     Some(Bounds {
-        min: min - beside,
-        max: max + beside,
+        min: min - margin,
+        max: max + margin,
     })
 }
 
-/// Whether a ray that arrives at a surface from one side can go on to one, and meet what is in a box there.
+/// Returns whether rays from one side of a surface can hit a box on another.
 fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -> bool {
     let Some(flat) = sender.shape().carrier() else {
         return true;
@@ -172,19 +172,21 @@ fn can_go(sender: &dyn Surface, from: Side, to: Side, bounds: Option<&Bounds>) -
     } else {
         material.transparency > 0.0
     };
-    goes && !is_beyond(bounds, flat, other(to))
+    goes && !is_beyond(bounds, flat, opposite(to))
 }
 
-/// Whether all that is in a box lies strictly on this side of a plane, for certain: further from it, seen
-/// from anywhere on its way, than rounding can lead a ray astray. What has no box is everywhere.
+/// Returns whether a box certainly lies strictly on this side of a plane.
+///
+/// Its distance from the plane exceeds the rounding errors of rays. Unbounded surfaces have no box
+/// and lie on both sides.
 fn is_beyond(bounds: Option<&Bounds>, flat: &Flat, side: Side) -> bool {
     let Some(bounds) = bounds else {
         return false;
     };
     let base = Point::exact(flat.point).size();
     bounds.corners().into_iter().all(|corner| {
-        let (way, size) = Point::exact(corner).seen_from(flat.point);
-        let height = flat.normal.dot(way);
+        let (offset, size) = Point::exact(corner).seen_from(flat.point);
+        let height = flat.normal.dot(offset);
         let height = if side == Side::Front { height } else { -height };
         height > APART * (base + size) + flat.slack()
     })

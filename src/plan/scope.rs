@@ -1,11 +1,11 @@
-//! How much of what a scene could show is simulated.
+//! The scope of the simulation.
 
-/// How much of what a scene could show is simulated. The picture does not depend on it.
+/// The scope of the simulation; the picture does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scope {
-    /// Only what the scene calls for: what is proven to change nothing is left out.
+    /// Only effects that the scene contains; work that changes nothing is skipped.
     #[default]
     CalledFor,
-    /// Everything, however useless: every surface is asked, every effect computed.
+    /// Everything: every surface is tested, and every effect is computed.
     Everything,
 }

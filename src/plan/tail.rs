@@ -1,27 +1,25 @@
-//! What rays that are not followed could still have brought.
+//! The tail bound: the largest light that a ray can add.
 
 use crate::light::Light;
 use crate::math::{Point, Side};
 use crate::scene::{Lighting, Scene};
 use crate::surface::Surface;
 
-/// The greatest value that a ray from anywhere can bring back, before it fades with its way to the
-/// eye.
-///
-/// Of what comes back from a surface, `a` is its own and `k` times the greatest value comes from
-/// behind or before it, so no ray brings more than the largest `a / (1 − k)` of all surfaces: by
-/// induction over the number of bounces, `V ≥ a + k V` for each of them.
+/// A bound of the colour along any ray, before falloff with the path length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tail {
+    // Let a surface add at most `a` of its own and `k` times the colour along a scattered ray. Then
+    // V = max a / (1 − k) over all surfaces bounds every ray, by induction over the number of
+    // bounces: V ≥ a + k V for each surface.
     brightest: f64,
 }
 
 impl Tail {
-    /// The tail bound of a scene; infinite if two surfaces could send light to and fro undimmed.
+    /// The tail bound of a scene; infinite if reflections may lose no light.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let all = || scene.surfaces.iter().map(AsRef::as_ref);
-        // No lamp gives more than a sky as bright.
+        // A lamp lights a surface at most as much as a sky of its emissivity.
         let lamps = all().filter_map(|surface| surface.lamp());
         let lamplight = lamps.map(|lamp| lamp.emissivity().largest()).sum();
         let brightest = all().map(|surface| brightest(surface, scene, lamplight));
@@ -30,24 +28,25 @@ impl Tail {
         }
     }
 
-    /// How much at most a ray of this weight adds to its pixel, if it starts after a way from the
-    /// eye that light is divided by `divisor` for.
+    /// The largest light that a ray of this weight adds to its pixel.
+    ///
+    /// `divisor` is the falloff for the path length from the eye to the ray's origin.
     #[must_use]
     pub fn of(self, weight: f64, divisor: f64) -> f64 {
         if weight == 0.0 || self.brightest == 0.0 {
             return 0.0;
         }
         let most = weight * self.brightest / divisor;
-        // What no number can bound is not bounded.
+        // Zero times infinity has no bound.
         if most.is_nan() { f64::INFINITY } else { most }
     }
 }
 
-/// The greatest value that can come back from a surface, all its mirror images included.
+/// The bound `a / (1 − k)` of the colour along a ray that hits a surface.
 fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
     let material = &surface.common().material;
     let [ambient, diffuse] = surface.brightest();
-    let glints = if material.shininess > 0.0 {
+    let highlights = if material.shininess > 0.0 {
         material.specular.largest()
     } else {
         0.0
@@ -56,15 +55,15 @@ fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
         .lights
         .iter()
         .map(|light| strength(surface, light, scene.lighting))
-        .map(|[direct, glint]| direct * diffuse + glint * glints);
+        .map(|[direct, specular]| direct * diffuse + specular * highlights);
     let shown = surface
         .lamp()
         .map_or(0.0, |lamp| lamp.emissivity().largest());
     let own =
         (ambient + shown + lamplight * diffuse + lit.sum::<f64>()) * (1.0 - material.transparency);
-    let through = material.transparency * material.filter().largest();
-    // With an index of refraction the share R is mirrored and the rest shared out as if nothing
-    // were: (1 − R)(a + k V) + R V is no more than V where a + k V is not.
+    let through = material.transparency * material.tint().largest();
+    // With an index of refraction, the share R is reflected, and 1 − R is treated as without one:
+    // (1 − R)(a + k V) + R V ≤ V if a + k V ≤ V.
     let mirrored = match material.ior {
         None => material.specular.largest(),
         Some(_) => 0.0,
@@ -80,24 +79,25 @@ fn brightest(surface: &dyn Surface, scene: &Scene, lamplight: f64) -> f64 {
     }
 }
 
-/// How much light of a light can arrive at a surface: as its own colour answers it, with the angle
-/// and the distance, and as its glints do, without.
+/// The largest light of a point light at a surface: diffuse and specular.
+///
+/// The diffuse one includes the cosine and the falloff, the specular one includes neither.
 fn strength(surface: &dyn Surface, light: &Light, lighting: Lighting) -> [f64; 2] {
     let emissivity = light.emissivity.largest();
-    let fades = |distance: f64| 1.0 / lighting.falloff.divisor(distance);
+    let attenuation = |distance: f64| 1.0 / lighting.falloff.divisor(distance);
     if let Some(flat) = surface.shape().carrier() {
         if surface.shape().side(&Point::exact(light.location)) != Side::Front {
             return [0.0, 0.0];
         }
-        // At height h, light from a distance d comes in with the cosine h/d: both are at their
-        // best at the foot of the perpendicular.
+        // At height h, light from a distance d has the cosine h/d. Cosine and falloff are largest
+        // at the foot of the perpendicular.
         let height = flat.normal.dot(light.location - flat.point);
-        return [emissivity * fades(height), emissivity];
+        return [emissivity * attenuation(height), emissivity];
     }
     let nearest = surface.shape().round().map_or(0.0, |[center, axes]| {
-        // Made a ball of radius 1, no way becomes longer than by the shortest half axis.
+        // Scaled to a ball of radius 1, lengths grow at most by one over the shortest half axis.
         let outside = ((light.location - center) / axes).length() - 1.0;
         outside.max(0.0) * axes.min_element()
     });
-    [emissivity * fades(nearest), emissivity]
+    [emissivity * attenuation(nearest), emissivity]
 }

@@ -8,7 +8,9 @@ use crate::math::{Point, Side};
 use crate::surface::{Lamp, Surface};
 use crate::visibility::Silhouette;
 
-/// The reason for which a light never arrives at a surface, so that no shadow ray is sent.
+/// The reason for which a light never arrives at a surface.
+///
+/// No shadow ray is traced then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unlit {
@@ -20,17 +22,17 @@ pub enum Unlit {
     Colorless,
     /// The surface lets all light through.
     Clear,
-    /// The surface is outside of the light's cone or slide, or not in front of the lamp.
+    /// The surface is outside of the light's cone or slide, or behind the lamp.
     OutsideBeam,
     /// No ray can hit the surface.
     Unseen,
 }
 
 impl Unlit {
-    /// The reason that keeps a point light from a surface; `None` if its light may arrive.
+    /// The reason that keeps a point light from a surface; `None` if it may arrive.
     ///
-    /// `is_reached` tells whether any ray can hit the surface. Unless `saves`, only a rule of the
-    /// picture counts, not what merely saves time.
+    /// `is_reached` is true if any ray can hit the surface. Unless `saves`, only rules that define
+    /// the picture count, and shortcuts do not.
     pub(super) fn by_light(
         light: &Light,
         surface: &dyn Surface,
@@ -39,7 +41,7 @@ impl Unlit {
     ) -> Option<Self> {
         let shape = surface.shape();
         let location = Point::exact(light.location);
-        // A rule, since for a light in the plane itself rounding could decide otherwise.
+        // A rule, because for a light in the plane rounding could decide otherwise.
         if shape.carrier().is_some() && shape.side(&location) != Side::Front {
             return Some(Self::Behind);
         }
@@ -83,13 +85,13 @@ impl Unlit {
         }
     }
 
-    /// The reason that keeps the light of all point lights from a surface: none of it is visible.
+    /// The reason for which no point light is visible on a surface.
     #[must_use]
     pub fn by_itself(surface: &dyn Surface) -> Option<Self> {
         let [_, diffuse] = surface.brightest();
         let material = &surface.common().material;
         match () {
-            () if diffuse <= 0.0 && !material.has_glints() => Some(Self::Colorless),
+            () if diffuse <= 0.0 && !material.has_highlights() => Some(Self::Colorless),
             () if material.transparency == 1.0 => Some(Self::Clear),
             () => None,
         }

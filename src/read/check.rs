@@ -1,9 +1,9 @@
-//! Values against what an attribute takes.
+//! Values of attributes: type, number and range.
 
 use super::say;
-use crate::language::{Attribute, Location, Problem, Range, Takes, Value, did_you_mean};
+use crate::language::{Attribute, Diagnostic, Location, Range, Takes, Value, did_you_mean};
 
-/// A value as a file has it, before its type is known.
+/// A value of a file before its type is checked.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Raw {
     Number(f64),
@@ -29,21 +29,19 @@ impl Raw {
     }
 }
 
-/// The typed value of an attribute from what stands on its line.
+/// The typed value of an attribute from the values on its line.
 ///
-/// `at` is where to point if nothing stands there.
+/// `at` is the place for an error about a missing value.
 pub(super) fn value(
     attribute: &Attribute,
     raws: &[(Raw, Location)],
     at: Location,
-) -> Result<Option<Value>, Problem> {
-    if let Some(problem) = miscounted(attribute, raws, at) {
-        return Err(problem);
-    }
+) -> Result<Option<Value>, Diagnostic> {
+    check_count(attribute, raws, at)?;
     let value = match (&attribute.takes, raws) {
         (Takes::Number(range), [one]) => number(attribute, one, *range)?.into(),
         (Takes::Pair(range), [a, b]) => {
-            [number(attribute, a, *range)?, number(attribute, b, *range)?].into()
+            Value::Pair([number(attribute, a, *range)?, number(attribute, b, *range)?])
         }
         (Takes::Triple | Takes::Color, [a, b, c]) => {
             let read = |raw| number(attribute, raw, Range::Any);
@@ -53,20 +51,19 @@ pub(super) fn value(
         (Takes::NumberOrPair(range), [one]) => number_or_pair(attribute, one, *range)?,
         (Takes::Word(words), [one]) => word(attribute, one, words)?,
         (Takes::Name(_) | Takes::Path, [one]) => text(attribute, one)?,
-        (Takes::Flag, [(Raw::Flag(flag), _)]) => (*flag).into(),
-        (Takes::Flag, [one @ (Raw::Text(text), _)]) if text == "true" || text == "false" => {
-            let help = format!("write it without quotes and with a `#`: #{text}");
-            return Err(wrong_type(attribute, "#true or #false", one).help(help));
-        }
-        (Takes::Flag, [one]) => return Err(wrong_type(attribute, "#true or #false", one)),
+        (Takes::Flag, [one]) => flag(attribute, one)?,
         // Nothing is expected, and nothing is there.
         _ => return Ok(None),
     };
     Ok(Some(value))
 }
 
-/// The problem if there are too few values, or too many.
-fn miscounted(attribute: &Attribute, raws: &[(Raw, Location)], at: Location) -> Option<Problem> {
+/// Checks the number of values.
+fn check_count(
+    attribute: &Attribute,
+    raws: &[(Raw, Location)],
+    at: Location,
+) -> Result<(), Diagnostic> {
     let (most, allowed): (usize, &[usize]) = match attribute.takes {
         Takes::Nothing => (0, &[0]),
         Takes::Pair(_) => (2, &[2]),
@@ -75,60 +72,52 @@ fn miscounted(attribute: &Attribute, raws: &[(Raw, Location)], at: Location) -> 
         _ => (1, &[1]),
     };
     if allowed.contains(&raws.len()) {
-        return None;
+        return Ok(());
     }
     let word = attribute.word;
+    if most == 0 {
+        let message = format!("`{word}` takes no value of its own");
+        let error = Diagnostic::error(joined(raws, at), message, "not expected");
+        let properties = attribute.properties.iter().map(|property| property.word);
+        return Err(if attribute.properties.is_empty() {
+            error
+        } else {
+            error.help(format!("it has the properties {}", say::words(properties)))
+        });
+    }
     let expected = attribute.takes.words();
     let found = say::count(raws.len());
-    let (message, label, at) = if most == 0 {
-        let message = format!("`{word}` takes no value of its own");
-        (message, "not expected".to_owned(), joined(raws, at))
-    } else if raws.is_empty() {
-        let label = format!("expected {expected} after it");
-        (format!("`{word}` has no value"), label, at)
-    } else if raws.len() < most {
-        let label = format!("expected {expected}, found {found}");
-        (
-            format!("`{word}` has too few values"),
-            label,
-            joined(raws, at),
-        )
+    let (problem, label, at) = if raws.is_empty() {
+        ("no value", format!("expected {expected} after it"), at)
     } else {
         let label = format!("expected {expected}, found {found}");
-        let surplus = joined(&raws[most..], at);
-        (format!("`{word}` has too many values"), label, surplus)
+        if raws.len() < most {
+            ("too few values", label, joined(raws, at))
+        } else {
+            ("too many values", label, joined(&raws[most..], at))
+        }
     };
-    let problem = Problem::error(at, message, label);
-    let properties = attribute.properties.iter().map(|property| property.word);
-    Some(if most == 0 && !attribute.properties.is_empty() {
-        problem.help(format!("it has the properties {}", say::words(properties)))
-    } else {
-        problem
-    })
+    Err(Diagnostic::error(
+        at,
+        format!("`{word}` has {problem}"),
+        label,
+    ))
 }
 
-fn number(attribute: &Attribute, raw: &(Raw, Location), range: Range) -> Result<f64, Problem> {
+fn number(attribute: &Attribute, raw: &(Raw, Location), range: Range) -> Result<f64, Diagnostic> {
     let word = attribute.word;
     let expected = range.words("a", "number");
     match raw {
+        (Raw::Number(number), _) if range.contains(*number) => Ok(*number),
         (Raw::Number(number), at) if number.is_finite() => {
-            if range.contains(*number) {
-                return Ok(*number);
-            }
             let label = format!("expected {expected}, found {}", Value::Number(*number));
-            Err(Problem::error(
-                *at,
-                format!("`{word}` is out of range"),
-                label,
-            ))
+            let message = format!("`{word}` is out of range");
+            Err(Diagnostic::error(*at, message, label))
         }
         (found @ (Raw::Number(_) | Raw::Beyond(_)), at) => {
             let label = format!("expected a finite number, found {}", found.words());
-            Err(Problem::error(
-                *at,
-                format!("`{word}` is not finite"),
-                label,
-            ))
+            let message = format!("`{word}` is not finite");
+            Err(Diagnostic::error(*at, message, label))
         }
         (Raw::Text(text), _) if text.trim().parse::<f64>().is_ok_and(f64::is_finite) => {
             let help = format!("write the number without quotes: {}", text.trim());
@@ -142,7 +131,7 @@ fn number_or_pair(
     attribute: &Attribute,
     raw: &(Raw, Location),
     range: Range,
-) -> Result<Value, Problem> {
+) -> Result<Value, Diagnostic> {
     let (Raw::Text(text), at) = raw else {
         return number(attribute, raw, range).map(Value::Number);
     };
@@ -155,7 +144,19 @@ fn number_or_pair(
     }
 }
 
-fn word(attribute: &Attribute, raw: &(Raw, Location), words: &[&str]) -> Result<Value, Problem> {
+fn flag(attribute: &Attribute, raw: &(Raw, Location)) -> Result<Value, Diagnostic> {
+    let error = || wrong_type(attribute, "#true or #false", raw);
+    match &raw.0 {
+        Raw::Flag(flag) => Ok((*flag).into()),
+        Raw::Text(text) if text == "true" || text == "false" => {
+            let help = format!("write it without quotes and with a `#`: #{text}");
+            Err(error().help(help))
+        }
+        _ => Err(error()),
+    }
+}
+
+fn word(attribute: &Attribute, raw: &(Raw, Location), words: &[&str]) -> Result<Value, Diagnostic> {
     let expected = attribute.takes.words();
     let found = match &raw.0 {
         Raw::Text(text) => text.clone(),
@@ -169,40 +170,39 @@ fn word(attribute: &Attribute, raw: &(Raw, Location), words: &[&str]) -> Result<
     match raw {
         (Raw::Text(text), at) => {
             let message = format!("`{}` cannot be {}", attribute.word, say::quoted(text));
-            let problem = Problem::error(*at, message, format!("expected {expected}"));
-            Err(problem.suggest_name(did_you_mean(text, words.iter().copied())))
+            let error = Diagnostic::error(*at, message, format!("expected {expected}"));
+            Err(error.suggest_name(did_you_mean(text, words.iter().copied())))
         }
         _ => Err(wrong_type(attribute, &expected, raw)),
     }
 }
 
 /// A name or a path.
-fn text(attribute: &Attribute, raw: &(Raw, Location)) -> Result<Value, Problem> {
+fn text(attribute: &Attribute, raw: &(Raw, Location)) -> Result<Value, Diagnostic> {
     let expected = attribute.takes.words();
     match raw {
         (Raw::Text(text), at) if text.is_empty() => {
             let message = format!("`{}` is empty", attribute.word);
-            Err(Problem::error(*at, message, format!("expected {expected}")))
+            let label = format!("expected {expected}");
+            Err(Diagnostic::error(*at, message, label))
         }
         (Raw::Text(text), _) => Ok(Value::from(text.as_str())),
         (Raw::Number(number), _) => {
-            let help = format!(
-                "a name that is a number needs quotes: \"{}\"",
-                Value::Number(*number)
-            );
+            let number = Value::Number(*number);
+            let help = format!("a name that is a number needs quotes: \"{number}\"");
             Err(wrong_type(attribute, &expected, raw).help(help))
         }
         _ => Err(wrong_type(attribute, &expected, raw)),
     }
 }
 
-fn wrong_type(attribute: &Attribute, expected: &str, (found, at): &(Raw, Location)) -> Problem {
+fn wrong_type(attribute: &Attribute, expected: &str, (found, at): &(Raw, Location)) -> Diagnostic {
     let message = format!("`{}` has a value of the wrong type", attribute.word);
     let label = format!("expected {expected}, found {}", found.words());
-    Problem::error(*at, message, label)
+    Diagnostic::error(*at, message, label)
 }
 
-/// The stretch from the first value to the last; `at` if there is none.
+/// The range from the first value to the last; `at` if there is none.
 fn joined(raws: &[(Raw, Location)], at: Location) -> Location {
     let (Some((_, first)), Some((_, last))) = (raws.first(), raws.last()) else {
         return at;

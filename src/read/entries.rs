@@ -1,92 +1,83 @@
-//! The `kdl` crate's nodes to ours: words, values and what does not fit.
+//! Nodes of the scene language from nodes of the `kdl` crate.
 
-use kdl::{KdlDocument, KdlEntry, KdlNode, KdlValue};
+use kdl::{KdlDocument, KdlEntry, KdlIdentifier, KdlNode, KdlValue};
 use miette::SourceSpan;
 
 use super::check::{self, Raw};
-use super::{Files, say, schemas, unknown};
+use super::files::Files;
+use super::schemas::schemas;
+use super::{say, unknown};
 use crate::language::{
-    Attribute, Default, Entry, Location, Naming, Node, Problem, Schema, Value, did_you_mean,
+    Attribute, Default, Diagnostic, Entry, Location, Naming, Node, Schema, Value, did_you_mean,
 };
 
-/// Turns one top-level node into ours, and notes what does not fit.
+/// Converts one top-level node and reports its errors.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
-    source: usize,
-    /// Where in its text the node's piece starts.
-    offset: usize,
-    files: &'a Files,
-    problems: &'a mut Vec<Problem>,
+    pub(super) source: usize,
+    /// First byte of the node's piece in the text.
+    pub(super) offset: usize,
+    pub(super) files: &'a Files,
+    pub(super) diagnostics: &'a mut Vec<Diagnostic>,
 }
 
-impl<'a> Reader<'a> {
-    pub(super) fn new(
-        source: usize,
-        offset: usize,
-        files: &'a Files,
-        problems: &'a mut Vec<Problem>,
-    ) -> Self {
-        Self {
-            source,
-            offset,
-            files,
-            problems,
-        }
-    }
-
-    /// The node; `None` if its word is not even nearly known.
+impl Reader<'_> {
+    /// The node; `None` if its word is unknown and resembles no known word.
     pub(super) fn node(&mut self, kdl: &KdlNode) -> Option<Node> {
         let word = kdl.name().value();
         let Some(schema) = schemas().find(|schema| schema.word == word) else {
             let at = self.at(kdl.name().span());
-            self.problems.push(unknown::node(word, at));
-            return self.meant(kdl);
+            self.report(unknown::node(word, at));
+            return self.misspelt(kdl);
         };
-        let before = self.problems.len();
+        let before = self.diagnostics.len();
         let mut node = Node::new(schema, None);
         node.location = Some(self.head(kdl));
-        self.annotation(kdl.ty());
+        self.check_untyped(kdl.ty());
 
         let mut arguments = arguments(kdl);
         node.name = self.name(schema, kdl, &mut arguments);
         match schema.value {
-            Some(attribute) if arguments.is_empty() => self.no_value(schema, attribute, kdl),
+            Some(attribute) if arguments.is_empty() => self.report_no_value(schema, attribute, kdl),
             Some(attribute) => {
-                let before = self.problems.len();
+                let before = self.diagnostics.len();
                 node.value = self.value(attribute, kdl, &arguments);
-                // Its word is not written in scenes.
+                // The word of this attribute does not appear in scenes.
                 let value = format!("`{}`", attribute.word);
                 let clear = format!("the {} of this `{word}`", attribute.word);
-                for problem in &mut self.problems[before..] {
-                    problem.message = problem.message.replacen(&value, &clear, 1);
+                for diagnostic in &mut self.diagnostics[before..] {
+                    diagnostic.message = diagnostic.message.replacen(&value, &clear, 1);
                 }
             }
-            None => self.no_more(schema, &arguments),
+            None => self.check_no_value(schema, &arguments),
         }
         node.properties = self.properties(word, schema.properties, Some(schema), kdl);
         let misspelt = kdl
             .children()
             .map(|children| self.attributes(&mut node, children))
             .unwrap_or_default();
-        self.missing(&node, &misspelt, kdl);
-        node.sound = self.problems.len() == before;
+        self.check_required(&node, &misspelt, kdl);
+        node.valid = self.diagnostics.len() == before;
         Some(node)
     }
 
-    /// The unsound node that a misspelt word probably means, so that nothing else misses it.
-    fn meant(&self, kdl: &KdlNode) -> Option<Node> {
+    /// The node that a misspelt word resembles, invalid.
+    ///
+    /// References to it cause no further errors.
+    fn misspelt(&self, kdl: &KdlNode) -> Option<Node> {
         let word = did_you_mean(kdl.name().value(), schemas().map(|schema| schema.word))?;
         let schema = schemas().find(|schema| schema.word == word)?;
-        let name = arguments(kdl)
+        let arguments = arguments(kdl);
+        let name = arguments
             .first()
             .and_then(|entry| entry.value().as_string());
         let mut node = Node::new(schema, name.filter(|_| schema.naming != Naming::None));
         node.location = Some(self.head(kdl));
-        node.sound = false;
+        node.valid = false;
         Some(node)
     }
 
-    /// The name of a node, taken from the front of its arguments.
+    /// The name of a node, removed from its arguments.
     fn name(
         &mut self,
         schema: &Schema,
@@ -99,58 +90,49 @@ impl<'a> Reader<'a> {
             (Naming::Required, None) => {
                 let at = self.at(kdl.name().span());
                 let message = format!("this `{word}` has no name");
-                let problem = Problem::error(at, message, "expected a name after it");
-                self.problems
-                    .push(problem.help(format!("write, for example, `{word} \"oak\"`")));
+                let error = Diagnostic::error(at, message, "expected a name after it");
+                self.report(error.help(format!("write, for example, `{word} \"oak\"`")));
                 return None;
             }
             (_, Some(first)) => (first.value(), self.at(first.span())),
         };
         let entry = arguments.remove(0);
-        self.annotation(entry.ty());
+        self.check_untyped(entry.ty());
         let KdlValue::String(name) = first else {
             let message = format!("the name of this `{word}` is not a text");
-            let problem = Problem::error(at, message, "expected a name in quotes");
-            self.problems
-                .push(problem.help("a name comes first; other values stand between the braces"));
+            let error = Diagnostic::error(at, message, "expected a name in quotes");
+            self.report(error.help("a name comes first; other values stand between the braces"));
             return None;
         };
         if name.is_empty() {
             let message = format!("the name of this `{word}` is empty");
-            self.problems
-                .push(Problem::error(at, message, "expected a name"));
+            self.report(Diagnostic::error(at, message, "expected a name"));
         }
         Some(name.clone())
     }
 
-    /// Reads the attributes between a node's braces; gives the words that misspelt ones mean.
+    /// Reads the attributes between a node's braces.
+    ///
+    /// Returns the words that misspelt ones resemble.
     fn attributes(&mut self, node: &mut Node, children: &KdlDocument) -> Vec<&'static str> {
+        let schema = node.schema;
         let mut misspelt = Vec::new();
         for child in children.nodes() {
             let word = child.name().value();
-            let schema = node.schema;
+            let word_at = self.at(child.name().span());
             let Some(attribute) = schema.all_attributes().find(|known| known.word == word) else {
-                let at = self.at(child.name().span());
                 let words = schema.all_attributes().map(|known| known.word);
                 misspelt.extend(did_you_mean(word, words));
-                self.problems.push(unknown::attribute(word, schema, at));
+                self.report(unknown::attribute(word, schema, word_at));
                 continue;
             };
-            let at = self.head(child);
             if let Some(earlier) = node.entry(word) {
-                self.twice(word, self.at(child.name().span()), earlier.location);
+                self.report_twice(word, word_at, earlier.location);
                 continue;
             }
-            self.annotation(child.ty());
+            self.check_untyped(child.ty());
             if let Some(grandchildren) = child.children() {
-                let brace = self.at(grandchildren.span());
-                self.no_braces(
-                    word,
-                    Location {
-                        start: brace.start,
-                        ..at
-                    },
-                );
+                self.report_braces(word, self.at(grandchildren.span()));
             }
             let value = self.value(attribute, child, &arguments(child));
             let properties = self.properties(word, attribute.properties, None, child);
@@ -158,13 +140,15 @@ impl<'a> Reader<'a> {
                 attribute,
                 value,
                 properties,
-                location: Some(at),
+                location: Some(self.head(child)),
             });
         }
         misspelt
     }
 
-    /// The settings on a line; `schema` is the line's node if it is one.
+    /// The settings on a line.
+    ///
+    /// `schema` is the line's node; `None` for the line of an attribute.
     fn properties(
         &mut self,
         word: &str,
@@ -178,21 +162,19 @@ impl<'a> Reader<'a> {
             let (key, at) = (name.value(), self.at(entry.span()));
             let key_at = self.at(name.span());
             let Some(attribute) = known.iter().find(|known| known.word == key) else {
-                let problem = unknown::property(key, word, known, schema, key_at);
-                self.problems.push(problem);
+                self.report(unknown::property(key, word, known, schema, key_at));
                 continue;
             };
             let earlier = entries.iter().find(|entry| entry.attribute.word == key);
             if let Some(earlier) = earlier {
-                self.twice(key, key_at, earlier.location);
+                self.report_twice(key, key_at, earlier.location);
                 continue;
             }
-            self.annotation(entry.ty());
+            self.check_untyped(entry.ty());
             let read = check::value(attribute, &[(raw(entry), value_of(entry, at))], at);
-            let value = self.or_problem(read);
             entries.push(Entry {
                 attribute,
-                value,
+                value: self.or_report(read),
                 properties: Vec::new(),
                 location: Some(at),
             });
@@ -207,38 +189,42 @@ impl<'a> Reader<'a> {
         arguments: &[&KdlEntry],
     ) -> Option<Value> {
         for argument in arguments {
-            self.annotation(argument.ty());
+            self.check_untyped(argument.ty());
         }
         let raws: Vec<_> = arguments
             .iter()
             .map(|entry| (raw(entry), value_of(entry, self.at(entry.span()))))
             .collect();
         let read = check::value(attribute, &raws, self.at(kdl.name().span()));
-        self.or_problem(read)
+        self.or_report(read)
     }
 
-    fn or_problem(&mut self, read: Result<Option<Value>, Problem>) -> Option<Value> {
-        read.unwrap_or_else(|problem| {
-            self.problems.push(problem);
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn or_report(&mut self, read: Result<Option<Value>, Diagnostic>) -> Option<Value> {
+        read.unwrap_or_else(|error| {
+            self.report(error);
             None
         })
     }
 
-    /// Reports that a node lacks the value on its line.
-    fn no_value(&mut self, schema: &Schema, attribute: &Attribute, kdl: &KdlNode) {
+    /// Reports a node without the value on its line.
+    fn report_no_value(&mut self, schema: &Schema, attribute: &Attribute, kdl: &KdlNode) {
         let (word, value, takes) = (schema.word, attribute.word, attribute.takes.words());
         let message = format!("this `{word}` has no {value}");
         let label = format!("expected {takes} after it");
-        let problem = Problem::error(self.head(kdl), message, label);
-        self.problems.push(match schema.naming {
-            Naming::None => problem.help(format!("`{word}` takes {takes}: {}", attribute.about)),
-            _ => problem.help(format!("`{word}` takes a name, and then {takes}")),
+        let error = Diagnostic::error(self.head(kdl), message, label);
+        self.report(match schema.naming {
+            Naming::None => error.help(format!("`{word}` takes {takes}: {}", attribute.about)),
+            _ => error.help(format!("`{word}` takes a name, and then {takes}")),
         });
     }
 
-    /// Refuses what follows the name of a node that has no value.
-    fn no_more(&mut self, schema: &Schema, arguments: &[&KdlEntry]) {
-        let Some(stray) = arguments.first() else {
+    /// Checks that a node without a value has no arguments after its name.
+    fn check_no_value(&mut self, schema: &Schema, arguments: &[&KdlEntry]) {
+        let Some(first) = arguments.first() else {
             return;
         };
         let word = schema.word;
@@ -246,22 +232,20 @@ impl<'a> Reader<'a> {
             Naming::None => format!("`{word}` takes no value"),
             Naming::Optional | Naming::Required => format!("`{word}` takes one name and no value"),
         };
-        let at = self.at(stray.span());
-        let problem = Problem::error(at, message, "not expected here");
-        self.problems
-            .push(problem.help(format!("attributes stand between braces: `{word} {{ … }}`")));
+        let at = self.at(first.span());
+        let error = Diagnostic::error(at, message, "not expected here");
+        self.report(error.help(format!("attributes stand between braces: `{word} {{ … }}`")));
     }
 
-    fn no_braces(&mut self, word: &str, at: Location) {
+    fn report_braces(&mut self, word: &str, at: Location) {
         let at = Location { length: 1, ..at };
         let message = format!("`{word}` has no braces of its own");
-        let problem = Problem::error(at, message, "not expected here");
-        self.problems
-            .push(problem.help("remove the braces; values follow the word on its line"));
+        let error = Diagnostic::error(at, message, "not expected here");
+        self.report(error.help("remove the braces; values follow the word on its line"));
     }
 
-    /// Reports the attributes that a node needs and lacks, unless they are merely misspelt.
-    fn missing(&mut self, node: &Node, misspelt: &[&str], kdl: &KdlNode) {
+    /// Checks that a node has all required attributes, except misspelt ones.
+    fn check_required(&mut self, node: &Node, misspelt: &[&str], kdl: &KdlNode) {
         let missing: Vec<_> = node
             .schema
             .all_attributes()
@@ -274,44 +258,39 @@ impl<'a> Reader<'a> {
         let words = say::words(missing.iter().map(|known| known.word));
         let message = format!("this `{}` lacks {words}", node.schema.word);
         let at = self.at(kdl.name().span());
-        let problem = Problem::error(at, message, "expected between its braces");
+        let error = Diagnostic::error(at, message, "expected between its braces");
         let takes = |known: &&Attribute| {
             let (word, takes, about) = (known.word, known.takes.words(), known.about);
             format!("`{word}` takes {takes}: {about}")
         };
         let help: Vec<_> = missing.iter().map(takes).collect();
-        self.problems.push(problem.help(help.join("\n")));
+        self.report(error.help(help.join("\n")));
     }
 
-    fn twice(&mut self, word: &str, at: Location, earlier: Option<Location>) {
+    fn report_twice(&mut self, word: &str, at: Location, earlier: Option<Location>) {
         let message = format!("`{word}` is given twice");
         let label = earlier.map_or_else(String::new, |earlier| {
             format!("the first is at {}", self.files.sources().position(earlier))
         });
-        self.problems
-            .push(Problem::error(at, message, label).help("keep one of them"));
+        self.report(Diagnostic::error(at, message, label).help("keep one of them"));
     }
 
-    /// Type annotations mean nothing in scenes.
-    fn annotation(&mut self, annotation: Option<&kdl::KdlIdentifier>) {
+    /// Checks that there is no type annotation, which scenes do not have.
+    fn check_untyped(&mut self, annotation: Option<&KdlIdentifier>) {
         let Some(annotation) = annotation else { return };
-        let message = format!(
-            "the type `({})` means nothing here",
-            say::shown(annotation.value())
-        );
-        let at = self.at(annotation.span());
-        self.problems.push(
-            Problem::error(at, message, "not expected").help("remove it with its parentheses"),
-        );
+        let shown = say::shown(annotation.value());
+        let message = format!("the type annotation `({shown})` is not supported");
+        let error = Diagnostic::error(self.at(annotation.span()), message, "not expected");
+        self.report(error.help("remove it with its parentheses"));
     }
 
-    /// The word of a node and the values that follow it, without properties and braces.
+    /// The word of a node and the values after it, without properties and braces.
     fn head(&self, kdl: &KdlNode) -> Location {
         let word = self.at(kdl.name().span());
         let last = arguments(kdl).last().map(|last| self.at(last.span()));
-        let end = last.map_or(word.start + word.length, |last| last.start + last.length);
+        let last = last.unwrap_or(word);
         Location {
-            length: end - word.start,
+            length: last.start + last.length - word.start,
             ..word
         }
     }
@@ -331,7 +310,7 @@ fn arguments(kdl: &KdlNode) -> Vec<&KdlEntry> {
     entries.filter(|entry| entry.name().is_none()).collect()
 }
 
-/// Where the value of an entry stands: at its end, after the key and the `=`.
+/// The place of an entry's value, at the end of the entry.
 fn value_of(entry: &KdlEntry, at: Location) -> Location {
     let length = written(entry).map_or(at.length, str::len).min(at.length);
     Location {

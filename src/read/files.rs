@@ -1,4 +1,4 @@
-//! The texts of a scene and where the files that they name are looked for.
+//! Source texts of a scene, and the files that they name.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -6,56 +6,53 @@ use std::path::{Path, PathBuf};
 
 use crate::language::{Source, Sources, did_you_mean};
 
-/// The texts of a scene, each with the directories that its file names start from.
+/// The texts of a scene, each with the directories for its file names.
 #[derive(Debug, Default)]
-pub struct Files {
+pub(super) struct Files {
     sources: Sources,
     directories: Vec<Vec<PathBuf>>,
-    /// Which file each text is, whatever it is called; `None` if it is none.
-    identities: Vec<Option<PathBuf>>,
+    /// The canonical path of each text; `None` if it was not read from a file.
+    canonical: Vec<Option<PathBuf>>,
 }
 
 impl Files {
-    /// Adds a text and gives its index.
+    /// Adds a text and returns its index.
     pub(super) fn add(&mut self, source: Source, directories: Vec<PathBuf>) -> usize {
         self.directories.push(directories);
-        self.identities
-            .push(Path::new(&source.name).canonicalize().ok());
+        let canonical = Path::new(&source.name).canonicalize().ok();
+        self.canonical.push(canonical);
         self.sources.add(source)
     }
 
     /// The text with this index.
-    #[must_use]
-    pub fn get(&self, index: usize) -> &Source {
+    pub(super) fn get(&self, index: usize) -> &Source {
         self.sources.get(index)
     }
 
-    /// Whether a text is, or is included by, the file of this path.
+    /// True if a text is, or is included by, the file of a path.
     pub(super) fn is_within(&self, source: usize, path: &Path) -> bool {
         let included_at = |source: &usize| Some(self.get(*source).included_at?.source);
-        let Ok(identity) = path.canonicalize() else {
+        let Ok(canonical) = path.canonicalize() else {
             return false;
         };
         std::iter::successors(Some(source), included_at)
-            .any(|source| self.identities[source].as_ref() == Some(&identity))
+            .any(|source| self.canonical[source].as_ref() == Some(&canonical))
     }
 
     /// All texts.
-    #[must_use]
-    pub fn sources(&self) -> &Sources {
+    pub(super) fn sources(&self) -> &Sources {
         &self.sources
     }
 
-    /// The texts alone.
-    #[must_use]
-    pub fn into_sources(self) -> Sources {
+    /// The texts without their directories.
+    pub(super) fn into_sources(self) -> Sources {
         self.sources
     }
 
-    /// The path of a file that a text names: in the first directory that has it, or else in the
-    /// first.
-    #[must_use]
-    pub fn locate(&self, source: usize, file: &str) -> PathBuf {
+    /// The path of a file that a text names.
+    ///
+    /// It is in the first directory that has such a file, or else in the first directory.
+    pub(super) fn locate(&self, source: usize, file: &str) -> PathBuf {
         let candidates: Vec<_> = self.directories[source]
             .iter()
             .map(|directory| directory.join(file))
@@ -67,9 +64,8 @@ impl Files {
             .unwrap_or_else(|| Path::new(file).to_owned())
     }
 
-    /// What the scene file itself would call a file that a text of it names.
-    #[must_use]
-    pub fn name_in_scene(&self, source: usize, file: &str) -> String {
+    /// The name of a file relative to the scene file, from its name in a text.
+    pub(super) fn name_in_scene(&self, source: usize, file: &str) -> String {
         if source == 0 {
             return file.to_owned();
         }
@@ -83,15 +79,15 @@ impl Files {
 /// The bytes of a scene file.
 ///
 /// # Errors
-/// The file system's, and one for a file that is far too large for a scene.
+/// Returns the file system's error, or one for a file above 256 MiB.
 pub(super) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
     bytes_from(File::open(path)?)
 }
 
-/// The bytes of a scene from any reader.
+/// The bytes of a scene from a reader.
 ///
 /// # Errors
-/// The reader's, and one for a text that has no end or is far too large for a scene.
+/// Returns the reader's error, or one for a text above 256 MiB.
 pub fn bytes_from(reader: impl Read) -> io::Result<Vec<u8>> {
     const MOST: u64 = 1 << 28;
     let mut bytes = Vec::new();
@@ -103,23 +99,30 @@ pub fn bytes_from(reader: impl Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// A scene's text from its bytes; a byte order mark is dropped.
+/// A text from its bytes, without a byte order mark.
 ///
 /// # Errors
-/// The first line that is not UTF-8.
+/// Returns the number of the first line that is not UTF-8.
 pub(super) fn text_of(bytes: Vec<u8>) -> Result<String, usize> {
     let mut text = String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         valid.iter().filter(|byte| **byte == b'\n').count() + 1
     })?;
-    // What some editors begin a file with says nothing.
     if text.starts_with('\u{feff}') {
         text.remove(0);
     }
     Ok(text)
 }
 
-/// Why a file cannot be read, in words that are the same on every system where that is possible.
+/// Advice about a text in another encoding.
+pub(super) const SAVE_AS_UTF8: &str = "save it as UTF-8, if it is a scene file";
+
+/// The message about a text in another encoding.
+pub(super) fn not_utf8(name: &str, line: usize) -> String {
+    format!("line {line} of {name} is not UTF-8")
+}
+
+/// The error of a file system in words, equal on all systems where possible.
 pub(super) fn reason(path: &Path, error: &io::Error) -> String {
     if path.is_dir() {
         "it is a folder".to_owned()
@@ -130,7 +133,7 @@ pub(super) fn reason(path: &Path, error: &io::Error) -> String {
     }
 }
 
-/// Advice about a file that is missing: one of its folder with nearly the same name, or else `otherwise`.
+/// Advice about a missing file: a similar name in its folder, or else `otherwise`.
 pub(super) fn nearby(path: &Path, otherwise: &str) -> String {
     let folder = match path.parent() {
         Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
@@ -142,7 +145,7 @@ pub(super) fn nearby(path: &Path, otherwise: &str) -> String {
         .flatten()
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .collect();
-    // A scene is never meant where a texture is, nor the other way round.
+    // A scene is no suggestion for a texture, and a texture none for a scene.
     let is_scene = |name: &Path| name.extension().is_some_and(|ending| ending == "kdl");
     names.retain(|name| is_scene(Path::new(name)) == is_scene(path));
     names.sort_unstable();

@@ -1,4 +1,4 @@
-//! KDL 2 to nodes.
+//! Nodes of KDL 2 texts.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -6,42 +6,47 @@ use std::ops::Range;
 use kdl::{KdlDiagnostic, KdlNode};
 
 use super::entries::Reader;
-use super::include::{self, INCLUDE};
+use super::files::Files;
 use super::pieces::{Piece, Pieces};
-use super::{Files, syntax};
-use crate::language::{Location, Node, Problem};
+use super::schemas::INCLUDE;
+use super::{include, syntax};
+use crate::language::{Diagnostic, Location, Node};
 
-/// The nodes of a text and of all that it includes, and whether they are all that it says.
+/// The nodes of a text and of the texts that it includes.
 #[derive(Debug)]
 pub(super) struct Nodes {
     pub(super) nodes: Vec<Node>,
-    /// Whether no part of a text is missing here because it could not be read. What is then not
-    /// found among the nodes may be there all the same.
+    /// False if a part of a text could not be read, so that nodes may be missing.
     pub(super) complete: bool,
 }
 
-/// Reads the nodes of a text and of all that it includes.
-pub(super) fn read(source: usize, files: &mut Files, problems: &mut Vec<Problem>) -> Nodes {
+/// Reads the nodes of a text and of the texts that it includes.
+pub(super) fn read(source: usize, files: &mut Files, diagnostics: &mut Vec<Diagnostic>) -> Nodes {
     let text = files.get(source).text.clone();
     let pieces = Pieces::of(&text);
     let mut all = Nodes {
         nodes: Vec::new(),
         complete: pieces.mistakes.is_empty(),
     };
-    for (mistake, range) in &pieces.mistakes {
-        problems.push(syntax::mistake(*mistake, location(source, range.clone())));
+    for (mistake, range) in pieces.mistakes {
+        diagnostics.push(syntax::mistake(mistake, location(source, range)));
     }
     for piece in &pieces.nodes {
-        let Some(kdl) = parse(source, &text, piece, problems) else {
+        let Some(kdl) = parse(source, &text, piece, diagnostics) else {
             all.complete = false;
             continue;
         };
         if piece.commented {
             continue;
         }
-        let node = Reader::new(source, piece.range.start, files, problems).node(&kdl);
-        match node {
-            Some(node) if node.schema == &INCLUDE => include(&node, files, problems, &mut all),
+        let mut reader = Reader {
+            source,
+            offset: piece.range.start,
+            files,
+            diagnostics,
+        };
+        match reader.node(&kdl) {
+            Some(node) if node.schema == &INCLUDE => include(&node, files, diagnostics, &mut all),
             Some(node) => all.nodes.push(node),
             None => {}
         }
@@ -49,50 +54,47 @@ pub(super) fn read(source: usize, files: &mut Files, problems: &mut Vec<Problem>
     all
 }
 
-/// One node as the `kdl` crate reads it.
-fn parse(source: usize, text: &str, piece: &Piece, problems: &mut Vec<Problem>) -> Option<KdlNode> {
+/// Parses one node with the `kdl` crate.
+fn parse(
+    source: usize,
+    text: &str,
+    piece: &Piece,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<KdlNode> {
     let error = match text[piece.range.clone()].parse::<KdlNode>() {
         Ok(node) => return Some(node),
         Err(error) => error,
     };
-    // All braces are closed; that one seems to be open is because of a mistake before it.
-    let open = |found: &&KdlDiagnostic| said(found).contains("losing '}'");
+    // All braces of a piece are closed. Another mistake before it makes one seem open.
+    let is_open = |found: &&KdlDiagnostic| syntax::is_open_brace(&words(found));
     let mut found: Vec<_> = error.diagnostics.iter().collect();
-    if !found.iter().all(open) {
-        found.retain(|found| !open(found));
+    if !found.iter().all(is_open) {
+        found.retain(|found| !is_open(found));
     }
     found.sort_by_key(|found| found.span.offset());
-    // The crate finds one mistake in several ways; one for each line is enough.
+    // The crate reports a mistake in several ways. The first of each line is enough.
     let mut lines = HashSet::new();
     for found in &found {
-        let at = location(source, range_in(piece, found));
+        let start = piece.range.start + found.span.offset();
+        let at = location(source, start..start + found.span.len());
         if lines.insert(text[..at.start].rfind('\n')) {
-            problems.push(syntax::error(text, at, &said(found)));
+            diagnostics.push(syntax::error(text, at, &words(found)));
         }
         if text[at.start..].starts_with("\"\"\"") {
             break;
         }
     }
     if found.is_empty() {
-        problems.push(syntax::error(
-            text,
-            location(source, piece.range.clone()),
-            "",
-        ));
+        let at = location(source, piece.range.clone());
+        diagnostics.push(syntax::error(text, at, ""));
     }
     None
 }
 
-/// What the crate says about a mistake.
-fn said(found: &KdlDiagnostic) -> String {
-    let said = [&found.message, &found.label].map(|said| said.as_deref().unwrap_or(""));
-    said.join(" ")
-}
-
-/// Where a diagnostic points to in the whole text.
-fn range_in(piece: &Piece, found: &KdlDiagnostic) -> Range<usize> {
-    let start = piece.range.start + found.span.offset();
-    start..start + found.span.len()
+/// Message and label of a diagnostic of the crate.
+fn words(found: &KdlDiagnostic) -> String {
+    let words = [&found.message, &found.label].map(|words| words.as_deref().unwrap_or(""));
+    words.join(" ")
 }
 
 fn location(source: usize, range: Range<usize>) -> Location {
@@ -104,18 +106,21 @@ fn location(source: usize, range: Range<usize>) -> Location {
 }
 
 /// Adds the nodes of an included file.
-fn include(node: &Node, files: &mut Files, problems: &mut Vec<Problem>, all: &mut Nodes) {
+fn include(node: &Node, files: &mut Files, diagnostics: &mut Vec<Diagnostic>, all: &mut Nodes) {
     match include::open(node, files) {
         Ok(source) => {
-            let included = read(source, files, problems);
+            let included = read(source, files, diagnostics);
             all.nodes.extend(included.nodes);
             all.complete &= included.complete;
         }
-        Err(problem) => {
-            // Too many files are one mistake, however often they are too many.
-            let known = |problem: &Problem| problems.iter().any(|p| p.message == problem.message);
-            let problem = problem.filter(|problem| !known(problem));
-            problems.extend(problem);
+        Err(error) => {
+            // The limit of files is reported once.
+            let is_new = |error: &Diagnostic| {
+                let mut others = diagnostics.iter();
+                others.all(|other| other.message != error.message)
+            };
+            let error = error.filter(is_new);
+            diagnostics.extend(error);
             all.complete = false;
         }
     }

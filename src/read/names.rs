@@ -1,16 +1,17 @@
-//! Names and what they stand for.
+//! Names of materials and textures, and references to them.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::{MOST_ERRORS, say};
-use crate::language::{Location, Node, Problem, Reference, Takes, Value, did_you_mean};
+use super::errors::MOST_ERRORS;
+use super::say;
+use crate::language::{Diagnostic, Location, Node, Reference, Takes, Value, did_you_mean};
 
-/// The things of one kind that have names, in file order.
+/// The parts of one kind by name.
 #[derive(Debug)]
 pub(super) struct Names<T> {
     kind: &'static str,
-    /// `None` for a thing that has a name but could not be made.
+    /// `None` for a part with errors.
     known: HashMap<String, Option<Arc<T>>>,
 }
 
@@ -22,65 +23,63 @@ impl<T> Names<T> {
         }
     }
 
-    /// Gives a thing its name; it may be missing because it could not be made.
-    pub(super) fn insert(&mut self, name: &str, thing: Option<Arc<T>>) {
-        self.known.entry(name.to_owned()).or_insert(thing);
+    /// Adds a part, or `None` for one with errors. The first of equal names counts.
+    pub(super) fn insert(&mut self, name: &str, part: Option<Arc<T>>) {
+        self.known.entry(name.to_owned()).or_insert(part);
     }
 
-    /// The thing that an attribute of a node names, if it could be made.
+    /// The part that an attribute names; `None` if it is missing or has errors.
     pub(super) fn find(&self, node: &Node, word: &str) -> Option<Arc<T>> {
         self.known.get(&node.text(word))?.clone()
     }
 
-    /// The problem if nothing has this name.
-    fn missing(&self, name: &str, at: Location) -> Option<Problem> {
+    /// The error for a name without a part.
+    fn unknown(&self, name: &str, at: Location) -> Option<Diagnostic> {
         if self.known.contains_key(name) {
             return None;
         }
         let kind = self.kind;
         let message = format!("there is no {kind} {}", say::quoted(name));
-        let problem = Problem::error(at, message, format!("expected the name of a {kind}"));
+        let error = Diagnostic::error(at, message, format!("expected the name of a {kind}"));
         let mut names: Vec<_> = self.known.keys().map(String::as_str).collect();
         names.sort_unstable();
         Some(match did_you_mean(name, names.iter().copied()) {
-            None if names.is_empty() => {
-                problem.help(format!("the scene has no {kind} yet; add one"))
-            }
-            None => problem.help(format!("the scene has {}", say::names(&names))),
-            suggestion => problem.suggest_name(suggestion),
+            None if names.is_empty() => error.help(format!("the scene has no {kind} yet; add one")),
+            None => error.help(format!("the scene has {}", say::names(&names))),
+            suggestion => error.suggest_name(suggestion),
         })
     }
 }
 
-/// Reports the names that stand for nothing, each once however often it is used.
-pub(super) fn refuse_unknown(
+/// Reports references to missing parts, each name once.
+pub(super) fn check_references(
     nodes: &[Node],
     textures: &Names<impl Sized>,
     materials: &Names<impl Sized>,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let mut seen = HashSet::new();
+    let mut checked = HashSet::new();
     for entry in nodes.iter().flat_map(|node| &node.attributes) {
         let (Takes::Name(reference), Some(Value::Text(name)), Some(at)) =
             (entry.attribute.takes, &entry.value, entry.location)
         else {
             continue;
         };
-        let first = seen.insert((reference.word(), name));
-        // One that is not shown need not be explained.
-        if first && problems.len() <= MOST_ERRORS {
-            problems.extend(match reference {
-                Reference::Texture => textures.missing(name, at),
-                Reference::Material => materials.missing(name, at),
+        let is_first = checked.insert((reference.word(), name));
+        // Errors beyond the limit are not shown, and a suggestion takes time.
+        if is_first && diagnostics.len() <= MOST_ERRORS {
+            diagnostics.extend(match reference {
+                Reference::Texture => textures.unknown(name, at),
+                Reference::Material => materials.unknown(name, at),
             });
         }
     }
 }
 
-/// Reports names that two nodes of one kind share.
-pub(super) fn refuse_duplicates<'a>(
+/// Reports equal names of nodes of one kind.
+pub(super) fn check_unique<'a>(
     nodes: impl IntoIterator<Item = &'a Node>,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
     position: impl Fn(Location) -> String,
 ) {
     let mut first: HashMap<&str, Option<Location>> = HashMap::new();
@@ -97,12 +96,13 @@ pub(super) fn refuse_duplicates<'a>(
         };
         let message = format!("the name {} is given twice", say::quoted(name));
         let (here, there) = (position(at), position(*earlier));
-        problems.push(if here == there {
-            Problem::error(at, message, "this file is included twice")
-                .help("remove one of the includes")
+        let (label, help) = if here == there {
+            let label = "this file is included twice".to_owned();
+            (label, "remove one of the includes")
         } else {
-            Problem::error(at, message, format!("the first is at {there}"))
-                .help("give one of them another name")
-        });
+            let label = format!("the first is at {there}");
+            (label, "give one of them another name")
+        };
+        diagnostics.push(Diagnostic::error(at, message, label).help(help));
     }
 }

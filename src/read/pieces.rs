@@ -1,45 +1,46 @@
-//! A KDL text cut into its top-level nodes, without recursion.
+//! Top-level nodes of a KDL text, found without recursion.
 //!
-//! The `kdl` crate descends by recursion, and on a broken text it descends once more for each
-//! mistake; a file of a few thousand braces would overflow the stack. So a text is first cut up
-//! here, and the crate gets one node at a time, whose depth is known. The mistakes that confuse all
-//! that follows, a brace or a quote too few, are found here as well, where they were made.
+//! The `kdl` crate recurses for each level of nesting, and for each mistake of a broken text. A
+//! file of a few thousand braces would overflow the stack. So the crate gets one node at a time,
+//! and its depth is limited here. A missing brace or quote is reported here at its own place: it
+//! would change the meaning of the text after it.
 
 use std::ops::Range;
 
-/// The deepest nesting of braces that is read. The crate's time doubles with each level that is
-/// commented out, and no scene needs more than two.
+/// The deepest nesting of braces. Scenes need two levels.
+///
+/// The crate's time doubles with each level that is commented out.
 pub(super) const DEEPEST: usize = 4;
 
-/// The deepest nesting of block comments that is read.
+/// The deepest nesting of block comments.
 const DEEPEST_COMMENT: usize = 32;
 
-/// A text in pieces.
+/// The pieces of a text.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Pieces {
-    /// Where the top-level nodes are, as far as they are whole.
+    /// The complete top-level nodes.
     pub(super) nodes: Vec<Piece>,
-    /// What is wrong with the others.
+    /// The mistakes in the others.
     pub(super) mistakes: Vec<(Mistake, Range<usize>)>,
 }
 
 /// One top-level node, with the spaces and comments around it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Piece {
-    /// Where it is.
+    /// Its bytes.
     pub(super) range: Range<usize>,
-    /// Whether it is commented out with `/-`.
+    /// True if it is commented out with `/-`.
     pub(super) commented: bool,
 }
 
-/// What can be wrong with braces, quotes and comments.
+/// Mistakes in braces, quotes and comments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mistake {
     /// A `{` without its `}`.
     OpenBrace,
     /// A `}` without its `{`.
     StrayBrace,
-    /// A `{` that no node's word stands before.
+    /// A `{` without a node's word before it.
     LooseBrace,
     /// A text without its closing quote.
     OpenText,
@@ -47,7 +48,7 @@ pub(super) enum Mistake {
     OpenComment,
     /// A `/-` with nothing after it.
     OpenSlashdash,
-    /// Too many braces, comments or slashdashes within one another.
+    /// Braces, comments or slashdashes that are nested too deeply.
     TooDeep,
 }
 
@@ -71,24 +72,24 @@ impl Pieces {
     }
 }
 
-/// A place in a text, and what is known about the piece that it is in.
+/// A position in a text, and the state of its piece.
 #[derive(Debug)]
 struct Scanner<'a> {
     text: &'a str,
     at: usize,
-    /// Where the piece starts.
+    /// The start of the piece.
     start: usize,
-    /// Whether it holds more than spaces and comments.
+    /// True if the piece has more than spaces and comments.
     filled: bool,
-    /// Whether it is commented out.
+    /// True if the piece is commented out.
     commented: bool,
-    /// Whether it is broken.
+    /// True if the piece has a mistake.
     broken: bool,
-    /// The braces that are open.
+    /// The positions of open braces.
     open: Vec<usize>,
-    /// Slashdashes since the last word.
+    /// The number of slashdashes since the last word.
     slashdashes: usize,
-    /// Whether a `\` joins the next line to this one.
+    /// True if a `\` joins the next line to this one.
     joined: bool,
     pieces: Pieces,
 }
@@ -113,7 +114,7 @@ impl<'a> Scanner<'a> {
         &self.text[self.at..]
     }
 
-    /// Goes past one thing; `None` if that makes no sense any more.
+    /// Skips a token; `None` if the rest of the text has no meaning.
     fn step(&mut self, character: char) -> Option<()> {
         let rest = self.rest();
         if rest.starts_with("//") {
@@ -159,7 +160,7 @@ impl<'a> Scanner<'a> {
         (self.filled, self.commented, self.broken) = (false, false, false);
     }
 
-    /// A newline or a semicolon ends a node, unless it stands between braces or the node goes on.
+    /// Skips a newline or a semicolon, which ends a node outside of braces.
     fn separator(&mut self, character: char) {
         let goes_on = character != ';' && (self.joined || self.slashdashes > 0);
         if self.open.is_empty() && !goes_on {
@@ -186,7 +187,7 @@ impl<'a> Scanner<'a> {
 
     fn open_brace(&mut self, first: bool) -> Option<()> {
         if first {
-            // The node on the line before is the one that it was meant for.
+            // The brace belongs to the node on the line before.
             self.pieces.nodes.pop();
             self.mistake(Mistake::LooseBrace, self.at..self.at + 1);
         }
@@ -201,7 +202,7 @@ impl<'a> Scanner<'a> {
 
     fn close_brace(&mut self) {
         if self.open.pop().is_none() {
-            // What lacks its braces was most likely meant to stand in these.
+            // Nodes without braces probably belong between these.
             let text = self.text;
             let nodes = &mut self.pieces.nodes;
             while nodes
@@ -215,7 +216,7 @@ impl<'a> Scanner<'a> {
         self.at += 1;
     }
 
-    /// Goes past a block comment and those in it.
+    /// Skips a block comment and nested ones.
     fn comment(&mut self) -> Option<()> {
         let start = self.at;
         let mut depth = 0;
@@ -243,8 +244,9 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Goes past a quoted text, if there is one here: plain, of several lines (`"""`), or raw
-    /// (`#"…"#`).
+    /// Skips a quoted text; false if there is none.
+    ///
+    /// It can be plain, multi-line (`"""`) or raw (`#"…"#`).
     fn quoted(&mut self) -> bool {
         let rest = self.rest();
         let hashes = rest.len() - rest.trim_start_matches('#').len();
@@ -269,14 +271,14 @@ impl<'a> Scanner<'a> {
             }
         }
         self.mistake(Mistake::OpenText, start..self.at);
-        // The brace that such a text swallowed was most likely meant as one.
+        // A brace at the end of such a text is probably meant as one.
         if quote.len() == 1 && self.text[start..self.at].trim_end().ends_with('{') {
             self.open.push(self.at - 1);
         }
         true
     }
 
-    /// Goes past a backslash in a text and what it escapes: a character, or all spaces and newlines.
+    /// Skips a backslash in a text with the character or the spaces that it escapes.
     fn escape(&mut self) {
         self.at += 1;
         let spaces = self.rest().len() - self.rest().trim_start().len();

@@ -1,8 +1,8 @@
-//! Phrases that the messages of the readers share.
+//! Wording that the messages of the readers share.
 
 use crate::language::joined;
 
-/// A word or a text as a message shows it: not too long, and nothing invisible in it.
+/// A word or a text in a message, shortened, with invisible characters escaped.
 pub(super) fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
     let mut shown = String::new();
@@ -31,7 +31,7 @@ pub(super) fn words<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     joined(&words, "and")
 }
 
-/// Names that a scene gives, in alphabetical order, and not too many: `"a", "b" and others`.
+/// Names of a scene in quotes, at most eight: `"a", "b" and others`.
 pub(super) fn names(names: &[&str]) -> String {
     const MOST: usize = 8;
     let mut shown: Vec<_> = names.iter().take(MOST).map(|name| quoted(name)).collect();
@@ -41,7 +41,7 @@ pub(super) fn names(names: &[&str]) -> String {
     joined(&shown, "and")
 }
 
-/// How many there are, in words as far as one would say them: `two`, `12`.
+/// A number up to six in words, others in digits: `two`, `12`.
 pub(super) fn count(count: usize) -> String {
     const WORDS: [&str; 7] = ["none", "one", "two", "three", "four", "five", "six"];
     WORDS

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::build::{Parts, accepted};
+use super::parts::{Parts, accepted};
 use super::textures;
 use crate::geometry::{Ellipsoid, Plane, Rectangle, Shape, Sphere, Triangle};
-use crate::language::{Node, Problem, Value, ValueError};
+use crate::language::{Diagnostic, Node, Value, ValueError};
 use crate::material::Material;
 use crate::surface::{
     Common, Lamp, Plain, ProceduralPlane, Shader, Shadows, Surface, Textured, TileStart, TiledPlane,
@@ -15,7 +15,7 @@ use crate::surface::{
 pub(super) fn surface(
     node: &Node,
     parts: &Parts,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Box<dyn Surface>> {
     let made = if node.schema == &Lamp::SCHEMA {
         // The one surface without a material.
@@ -24,16 +24,16 @@ pub(super) fn surface(
             Common::black(node.name.clone(), node.location),
         ))
     } else {
-        with_material(node, parts, problems)?
+        with_material(node, parts, diagnostics)?
     };
-    accepted(node, made, problems)
+    accepted(node, made, diagnostics)
 }
 
 /// The surface, or why it cannot exist; `None` if that is a problem already.
 fn with_material(
     node: &Node,
     parts: &Parts,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Result<Box<dyn Surface>, ValueError>> {
     let material = parts.materials.find(node, "material");
     let shadow = |word| {
@@ -70,7 +70,7 @@ fn with_material(
             boxed(plane.and_then(|it| TiledPlane::new(common, it, xdir, tile, start, alternate)))
         }
         "texture-plane" => {
-            let image = textures::map(node, parts, problems);
+            let image = textures::map(node, parts, diagnostics);
             let common = common(material?);
             let rectangle = Rectangle::from_node(node);
             let (image, texel_given) = image?;

@@ -1,11 +1,13 @@
-//! What is wrong with a text that is not KDL, in words.
+//! Messages about texts that are not valid KDL.
+//!
+//! The tests pin the English sentences of the `kdl` crate that are matched here.
 
 use super::pieces::Mistake;
 use super::say;
-use crate::language::{Location, Problem, did_you_mean};
+use crate::language::{Diagnostic, Location, did_you_mean};
 
-/// What is wrong with a brace, a quote or a comment.
-pub(super) fn mistake(mistake: Mistake, at: Location) -> Problem {
+/// The error for a brace, a quote or a comment.
+pub(super) fn mistake(mistake: Mistake, at: Location) -> Diagnostic {
     let (message, label, help) = match mistake {
         Mistake::OpenBrace => (
             "a brace is not closed",
@@ -34,23 +36,28 @@ pub(super) fn mistake(mistake: Mistake, at: Location) -> Problem {
         ),
         Mistake::OpenSlashdash => SLASHDASH,
         Mistake::TooDeep => (
-            "the text is nested too deep",
+            "the text is nested too deeply",
             "one level too many",
             "a scene needs no more than two levels; is a `}` missing?",
         ),
     };
-    Problem::error(at, message, label).help(help)
+    Diagnostic::error(at, message, label).help(help)
 }
 
-/// What is wrong at a place that the `kdl` crate does not understand.
+/// True if the `kdl` crate reports an open brace.
+pub(super) fn is_open_brace(said: &str) -> bool {
+    said.contains("losing '}'")
+}
+
+/// The error at a place where the `kdl` crate reports one.
 ///
-/// `text` is the whole text, `at` what the crate points to, `said` what it says about it.
-pub(super) fn error(text: &str, at: Location, mut said: &str) -> Problem {
+/// `text` is the whole text, `said` the message and label of the crate.
+pub(super) fn error(text: &str, at: Location, mut said: &str) -> Diagnostic {
     let mut at = at;
     let pointed = &text[at.start..at.start + at.length];
     at.start += pointed.len() - pointed.trim_start().len();
     if said.contains("property value") {
-        // The crate points to all from the node on; the value that it means is at the end.
+        // The crate points to everything from the node on. The value is at the end.
         let property = pointed.trim_end();
         let start = property
             .rfind(char::is_whitespace)
@@ -71,7 +78,7 @@ pub(super) fn error(text: &str, at: Location, mut said: &str) -> Problem {
     at.length = length;
     let before = text[..at.start].trim_end_matches([' ', '\t']);
     let (message, label, help) = explained(token, before, said);
-    Problem::error(at, message, label).help(help)
+    Diagnostic::error(at, message, label).help(help)
 }
 
 const SLASHDASH: (&str, &str, &str) = (
@@ -82,7 +89,7 @@ const SLASHDASH: (&str, &str, &str) = (
 
 const SPACES: &str = "numbers are separated by spaces alone: `0 1 0`";
 
-/// Message, label and help for a token that makes no sense.
+/// Message, label and help for an invalid token.
 fn explained(token: &str, before: &str, said: &str) -> (String, String, String) {
     let shown = say::shown(token);
     let is_name = said.contains("node name");
@@ -170,7 +177,7 @@ fn explained(token: &str, before: &str, said: &str) -> (String, String, String) 
 
 const INVISIBLE: &str = "is there an invisible character in it? type it again";
 
-/// What looks like a number.
+/// The error for a token that begins like a number.
 fn number(token: &str, digits: &str) -> (String, String, String) {
     let help = if token.contains(',') {
         SPACES.to_owned()
@@ -198,7 +205,7 @@ fn number(token: &str, digits: &str) -> (String, String, String) {
     (message, "expected a number".to_owned(), help)
 }
 
-/// What looks like a word.
+/// The error for another token.
 fn word(token: &str, shown: &str) -> (String, String, String) {
     let (label, help) = if let "true" | "false" = token {
         (
@@ -222,4 +229,46 @@ fn word(token: &str, shown: &str) -> (String, String, String) {
         label.to_owned(),
         help,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use kdl::KdlNode;
+
+    /// Message and label of each diagnostic of the crate.
+    fn said(text: &str) -> Vec<(String, String)> {
+        let error = text.parse::<KdlNode>().expect_err("no valid node");
+        let diagnostics = error.diagnostics.into_iter();
+        diagnostics
+            .map(|it| (it.message.unwrap_or_default(), it.label.unwrap_or_default()))
+            .collect()
+    }
+
+    /// A new version of the crate may word them differently; then the messages here are worse.
+    #[test]
+    fn the_matched_sentences_are_those_of_the_kdl_crate() {
+        let sentences = [
+            ("a { b 1, 2 }", "Expected integer", "not integer"),
+            ("a b=", "Expected property value", "not property value"),
+            ("a { 1 2 }", "Found invalid node name", "not node name"),
+            (
+                "a \"\"\"b\"\"\"",
+                "Multi-line string opening quotes must be immediately followed by a newline",
+                "not quoted string",
+            ),
+            (
+                "a \"\"\"\n  b\n c\n  \"\"\"",
+                "matching multiline string prefix",
+                "not quoted string",
+            ),
+        ];
+        for (text, message, label) in sentences {
+            let first = said(text).into_iter().next();
+            assert_eq!(
+                first,
+                Some((message.to_owned(), label.to_owned())),
+                "{text}"
+            );
+        }
+    }
 }

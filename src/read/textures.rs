@@ -1,83 +1,86 @@
-//! Texture files: only those in use are decoded, each once.
+//! Textures from nodes. Only textures in use are decoded, each once.
 
 use std::collections::HashSet;
 use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Files, build::Parts, files};
-use crate::language::{Node, Problem, Value};
-use crate::texture::{
-    DecodeError, ImageFileError, LONGEST_SIDE, MOST_TEXELS, Texture, TextureMap, Wrap, check,
-    decode,
-};
+use super::files::{Files, nearby, reason};
+use super::parts::Parts;
+use crate::image_file::{ImageFileError, LONGEST_SIDE, MOST_PIXELS};
+use crate::language::{Diagnostic, Node, Value};
+use crate::texture::{Texture, TextureMap, Wrap, check, decode};
 
-/// The textures of a scene by name; `None` for one that is not used or cannot be read.
+/// The textures of a scene by name; `None` for one that is unused or has errors.
 ///
-/// Of an unused one only the header is looked at, so that a mistyped file name is still found.
+/// The header of an unused file is checked, which finds mistyped file names.
 pub(super) fn load<'a>(
     nodes: impl Iterator<Item = &'a Node>,
     used: &HashSet<String>,
     files: &Files,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<(String, Option<Arc<Texture>>)> {
     let mut textures = Vec::new();
     for node in nodes {
         let name = node.name.clone().unwrap_or_default();
-        if !node.sound {
-            textures.push((name, None));
-            continue;
-        }
-        let texture = if used.contains(&name) {
-            read(node, &name, files).map(|texture| Some(Arc::new(texture)))
+        let path = path(node, files);
+        let texture = if !node.valid {
+            Ok(None)
+        } else if used.contains(&name) {
+            read(node, &name, &path, files).map(Some)
         } else {
-            check(&path(node, files)).map(|()| None)
+            check(&path).map(|()| None)
         };
-        textures.push((
-            name,
-            texture.unwrap_or_else(|error| {
-                report(node, &error, problems);
-                None
-            }),
-        ));
+        let texture = texture.unwrap_or_else(|error| {
+            diagnostics.extend(diagnostic(node, &path, &error));
+            None
+        });
+        textures.push((name, texture));
     }
     textures
 }
 
-fn read(node: &Node, name: &str, files: &Files) -> Result<Texture, DecodeError> {
-    let path = path(node, files);
-    let texels = decode(&path)?;
-    let divisor = node
-        .property("divisor")
-        .map_or(255.0, |divisor| divisor.number());
-    let source = node.location.map_or(0, |at| at.source);
-    let file = files.name_in_scene(source, file(node));
-    Ok(Texture::new(name, &file, path, texels, divisor))
+fn read(
+    node: &Node,
+    name: &str,
+    path: &Path,
+    files: &Files,
+) -> Result<Arc<Texture>, ImageFileError> {
+    let texels = decode(path)?;
+    let divisor = node.property("divisor");
+    let divisor = divisor.map_or(255.0, |divisor| divisor.number());
+    let file = files.name_in_scene(source(node), file(node));
+    let texture = Texture::new(name, &file, path.to_owned(), texels, divisor);
+    Ok(Arc::new(texture))
+}
+
+fn source(node: &Node) -> usize {
+    node.location.map_or(0, |at| at.source)
 }
 
 fn file(node: &Node) -> &str {
     node.value.as_ref().map_or("", Value::text)
 }
 
-fn path(node: &Node, files: &Files) -> std::path::PathBuf {
-    files.locate(node.location.map_or(0, |at| at.source), file(node))
+fn path(node: &Node, files: &Files) -> PathBuf {
+    files.locate(source(node), file(node))
 }
 
-fn report(node: &Node, DecodeError { path, fault }: &DecodeError, problems: &mut Vec<Problem>) {
-    let Some(at) = node.location else { return };
+fn diagnostic(node: &Node, path: &Path, error: &ImageFileError) -> Option<Diagnostic> {
     let name = path.display();
-    let (message, help) = match fault {
+    let (message, help) = match error {
         ImageFileError::Io(error) if error.kind() == ErrorKind::NotFound => (
             format!("there is no file {name}"),
-            files::nearby(path, "file names are relative to the scene file"),
+            nearby(path, "file names are relative to the scene file"),
         ),
         ImageFileError::Io(error) => (
-            format!("cannot read {name}: {}", files::reason(path, error)),
+            format!("cannot read {name}: {}", reason(path, error)),
             "name a file that you may read".to_owned(),
         ),
         ImageFileError::Format(reason) => (
-            format!("{name} is not a texture: {reason}"),
+            format!("cannot read {name}: {reason}"),
             "textures are PNG, JPEG, PPM and PGM files".to_owned(),
         ),
         ImageFileError::Damaged(reason) => (
@@ -90,17 +93,17 @@ fn report(node: &Node, DecodeError { path, fault }: &DecodeError, problems: &mut
         ),
         ImageFileError::TooLarge(width, height) => (
             format!("{name} is too large: {width} by {height} texels"),
-            format!("a texture has at most {LONGEST_SIDE} texels a side and {MOST_TEXELS} in all"),
+            format!("a texture has at most {LONGEST_SIDE} texels a side and {MOST_PIXELS} in all"),
         ),
     };
-    problems.push(Problem::error(at, message, "expected an image file").help(help));
+    Some(Diagnostic::error(node.location?, message, "expected an image file").help(help))
 }
 
 /// The texture of a rectangle, and whether the scene gives the size of its texels.
 pub(super) fn map(
     node: &Node,
     parts: &Parts,
-    problems: &mut Vec<Problem>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(TextureMap, bool)> {
     let texture = parts.textures.find(node, "texture")?;
     let entry = node.entry("texture")?;
@@ -108,28 +111,24 @@ pub(super) fn map(
     let mode = entry.property("mode");
     let wrap = mode.and_then(|mode| Wrap::from_word(mode.text()));
     if wrap != Some(Wrap::Repeat) {
-        let stray = entry
-            .properties
-            .iter()
-            .find(|given| given.attribute.word == "texel");
-        if let Some(at) = stray.and_then(|stray| stray.location) {
-            let message = "`texel` means nothing to a texture that is clamped";
-            let problem = Problem::error(at, message, "expected only with `mode=\"repeat\"`");
-            problems.push(problem.help("remove `texel`, or add `mode=\"repeat\"`"));
+        let mut properties = entry.properties.iter();
+        let texel = properties.find(|property| property.attribute.word == "texel");
+        if let Some(at) = texel.and_then(|texel| texel.location) {
+            let message = "`texel` has no effect on a clamped texture";
+            let error = Diagnostic::error(at, message, "expected only with `mode=\"repeat\"`");
+            diagnostics.push(error.help("remove `texel`, or add `mode=\"repeat\"`"));
         }
         return Some((TextureMap::clamp(texture, node.pair("dimensions")), false));
     }
     let Some(texel) = given.or(parts.pixel_size) else {
         if let Some(at) = entry.location {
-            let message = "a repeated texture lacks the size of its texels";
-            let label = "expected `texel=…`, as the camera has no `screen` to take it from";
-            let problem = Problem::error(at, message, label);
-            problems.push(problem.help("add the world size of one texel, such as `texel=0.01`"));
+            let message = "the repeated texture has no texel size";
+            let label = "expected `texel=…`; a camera with `look-at` gives no default";
+            let error = Diagnostic::error(at, message, label);
+            diagnostics.push(error.help("add the world size of one texel, such as `texel=0.01`"));
         }
         return None;
     };
-    Some((
-        TextureMap::repeat(texture, DVec2::new(texel.x, texel.y)),
-        given.is_some(),
-    ))
+    let texel = DVec2::new(texel.x, texel.y);
+    Some((TextureMap::repeat(texture, texel), given.is_some()))
 }

@@ -1,43 +1,46 @@
-//! As many rays through each pixel as its error asks for.
+//! Adaptive sampling: as many rays through each pixel as its error requires.
 
-use super::sample_accumulator::{Around, BORDER, Found, SampleAccumulator};
+use super::sample_accumulator::{Content, EDGE_ERROR, Neighborhood, SampleAccumulator};
 use super::{Both, Probe, Seed, Tracer, edge_detector::EdgeDetector};
-use crate::camera::{Pattern, Places};
+use crate::camera::{Pattern, SamplePositions};
 use crate::film::Region;
 use crate::math::Rgb;
 use crate::plan::{Outlines, Plan};
 use crate::scene::RenderSettings;
 use crate::texture::Filter;
 
-/// Sends rays through pixels until their errors are probably within the picture's `max-error`.
+/// Samples pixels until their estimated errors are within `max-error`.
 ///
-/// Each pixel takes the first places of its Sobol sequence: four at first, or as many as `samples`
-/// says, then half as many more or a third, up to the next power of two, and so on. Whether it goes on
-/// depends on its own rays, on the first ones of the pixels around it, and on the outlines through
-/// it; so a pixel is the same in any part of the picture.
+/// Each pixel takes the first points of its Sobol sequence: four, or `samples` rounded up to a
+/// power of two. Then the count grows by a half and by a third in turn, so every other count is a
+/// power of two. The decision to go on depends on the pixel's own samples, on the first samples of
+/// its neighbours, and on the outlines through it. So a pixel is the same in any part of the
+/// picture.
 ///
-/// Where a filter shows each ray its share of a pixel, rays with smaller shares are sent anew, until that
-/// makes no difference: no filter is exact everywhere, and it may be off alike for all rays.
+/// With a texture filter, each ray covers a share of the pixel. Then all rays are traced again with
+/// smaller shares until the mean no longer changes, because a filter's error may be equal for all
+/// rays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adaptive<'a> {
     tracer: Tracer<'a>,
-    picture: &'a RenderSettings,
+    settings: &'a RenderSettings,
     outlines: &'a Outlines,
-    /// What it looks for in a pixel.
-    watch: EdgeDetector<'a>,
-    /// `None` if each ray shows one place.
+    /// The initial state of the edge detector of a pixel.
+    detector: EdgeDetector<'a>,
+    /// The texture filter; `None` if each ray shows one point.
     filter: Option<Filter>,
 }
 
-/// About how many rays go through a pixel in which black borders on white, if a picture has these
-/// settings; the most that any edge of a surface takes, as long as its shades are even.
+/// The approximate number of rays through a pixel with a black-and-white edge.
+///
+/// It is the largest number for any edge between surfaces of uniform colour.
 #[must_use]
-pub fn rays_at_a_border(picture: &RenderSettings) -> u32 {
-    let first = picture.first_rays();
-    if picture.max_error == 0.0 {
-        return picture.samples;
+pub fn rays_at_a_border(settings: &RenderSettings) -> u32 {
+    let first = settings.first_rays();
+    if settings.max_error == 0.0 {
+        return settings.samples;
     }
-    let rays = libm::pow(BORDER / picture.max_error, 4.0 / 3.0);
+    let rays = libm::pow(EDGE_ERROR / settings.max_error, 4.0 / 3.0);
     #[expect(clippy::cast_possible_truncation, reason = "limited below")]
     #[expect(clippy::cast_sign_loss, reason = "positive")]
     let rays = rays.round() as u32;
@@ -45,22 +48,22 @@ pub fn rays_at_a_border(picture: &RenderSettings) -> u32 {
 }
 
 impl<'a> Adaptive<'a> {
-    /// `None` if the picture asks for the same number of rays everywhere.
+    /// An adaptive sampler; `None` if the number of rays per pixel is fixed.
     pub(super) fn new(tracer: Tracer<'a>, plan: &'a Plan<'a>) -> Option<Self> {
         let is_filtered = plan.scene.is_filtered();
         Some(Self {
             tracer,
-            picture: &plan.scene.settings,
+            settings: &plan.scene.settings,
             outlines: plan.outlines.as_ref()?,
-            watch: EdgeDetector::new(plan),
+            detector: EdgeDetector::new(plan),
             filter: is_filtered.then_some(plan.scene.settings.texture_filter),
         })
     }
 
-    /// Draws a part of the picture, in pieces that are not so wide that much has to be kept in mind.
+    /// Draws a part of the picture, in pieces of limited width to limit memory.
     pub(super) fn draw(&self, part: Region, pixels: &mut [Rgb], probe: &mut impl Probe) {
         const WIDEST: usize = 256;
-        let [left, top, right, _] = part.corners();
+        let [left, top, right, _] = part.bounds();
         for left in (left..right).step_by(WIDEST) {
             let piece = Region {
                 left,
@@ -79,155 +82,161 @@ impl<'a> Adaptive<'a> {
         probe: &mut impl Probe,
         mut paint: impl FnMut([usize; 2], Rgb),
     ) {
-        let size = [self.picture.width, self.picture.height];
+        let size = [self.settings.width, self.settings.height];
         let wide = part.grown_within(size);
         let outlines = self.outlines.over(wide);
         let pilots: Vec<_> = wide
-            .places()
-            .map(|place| self.pilot(place, outlines.nearest(place), probe))
+            .pixels()
+            .map(|pixel| self.pilot(pixel, outlines.nearest(pixel), probe))
             .collect();
         let pilot = |[column, row]: [usize; 2]| {
             &pilots[(row - wide.top) * wide.width + (column - wide.left)]
         };
-        for place in part.places() {
-            let own = *pilot(place);
-            let around = Region::around(place, size).places().map(pilot);
-            let around = around.fold(Around::of(&own), |all, it| all.and(Around::of(it)));
-            paint(place, self.refined(own, around, place, probe));
+        for pixel in part.pixels() {
+            let own = *pilot(pixel);
+            let neighborhood = Region::around(pixel, size).pixels().map(pilot);
+            let neighborhood = neighborhood.fold(Neighborhood::of(&own), |all, it| {
+                all.and(Neighborhood::of(it))
+            });
+            paint(pixel, self.refined(own, neighborhood, pixel, probe));
         }
     }
 
-    /// The colour of one pixel; onlookers do not see the rays of those around it.
-    pub(super) fn color(&self, place: [usize; 2], probe: &mut impl Probe) -> Rgb {
-        let size = [self.picture.width, self.picture.height];
-        let wide = Region::around(place, size);
+    /// The colour of one pixel; the probe does not observe the rays of its neighbours.
+    pub(super) fn color(&self, pixel: [usize; 2], probe: &mut impl Probe) -> Rgb {
+        let size = [self.settings.width, self.settings.height];
+        let wide = Region::around(pixel, size);
         let outlines = self.outlines.over(wide);
-        let own = self.pilot(place, outlines.nearest(place), probe);
-        let others = wide.places().filter(|other| *other != place);
+        let own = self.pilot(pixel, outlines.nearest(pixel), probe);
+        let others = wide.pixels().filter(|other| *other != pixel);
         let others = others.map(|other| self.pilot(other, outlines.nearest(other), &mut ()));
-        let around = others.fold(Around::of(&own), |all, it| all.and(Around::of(&it)));
-        self.refined(own, around, place, probe)
+        let neighborhood = others.fold(Neighborhood::of(&own), |all, it| {
+            all.and(Neighborhood::of(&it))
+        });
+        self.refined(own, neighborhood, pixel, probe)
     }
 
-    /// The first rays of a pixel, through which an outline of this depth runs.
-    fn pilot(&self, place: [usize; 2], outline: f64, probe: &mut impl Probe) -> SampleAccumulator {
-        // What is well behind all that was met is not seen.
+    /// The first samples of a pixel, whose nearest outline has this depth.
+    fn pilot(&self, pixel: [usize; 2], outline: f64, probe: &mut impl Probe) -> SampleAccumulator {
+        // An outline well behind all hits is hidden.
         const NEAR: f64 = 1.0 + 1.0 / 64.0;
-        let count = self.picture.first_rays();
-        let mut tally = SampleAccumulator::NOTHING;
+        let count = self.settings.first_rays();
+        let mut samples = SampleAccumulator::NOTHING;
         if outline.is_finite() || self.filter.is_some() {
-            let watch = self.send_watched(&mut tally, 4, count / 4, place, probe);
-            tally.outlined = outline <= watch.farthest() * NEAR;
+            let detector = self.send_detecting(&mut samples, 4, count / 4, pixel, probe);
+            samples.has_outline = outline <= detector.farthest_depth() * NEAR;
         } else {
-            self.send(&mut tally, 4, count / 4, place, probe);
+            self.send(&mut samples, 4, count / 4, pixel, probe);
         }
-        tally
+        samples
     }
 
-    /// The colour of a pixel, after as many more rays as it takes.
+    /// The colour of a pixel, after as many more rays as its error requires.
     fn refined(
         &self,
-        mut tally: SampleAccumulator,
-        around: Around,
-        place: [usize; 2],
+        mut samples: SampleAccumulator,
+        neighborhood: Neighborhood,
+        pixel: [usize; 2],
         probe: &mut impl Probe,
     ) -> Rgb {
         let RenderSettings {
             transfer,
             max_error,
             ..
-        } = *self.picture;
-        // Where a filter is not exact, nobody knows how far it is off before it was asked twice.
-        let mut moved = if tally.is_exact { 0.0 } else { f64::MAX };
+        } = *self.settings;
+        // The error of an inexact filter is estimated from two sizes of shares.
+        let mut change = if samples.is_exact { 0.0 } else { f64::MAX };
         loop {
-            let error = tally.error(around, transfer).max(moved);
-            if error <= max_error || tally.count >= RenderSettings::MOST_ADAPTIVE {
-                return tally.mean();
+            let error = samples.error(neighborhood, transfer).max(change);
+            if error <= max_error || samples.count >= RenderSettings::MOST_ADAPTIVE {
+                return samples.mean();
             }
             if self.filter.is_some() {
-                let smaller = self.with_smaller_shares(&tally, error, place, probe);
-                // It is off in proportion to the sides of its shares at worst.
-                let times = f64::from(smaller.count) / f64::from(tally.count);
-                moved = smaller.moved_from(&tally, transfer) / (times.sqrt() - 1.0);
-                tally = smaller;
+                let smaller = self.with_smaller_shares(&samples, error, pixel, probe);
+                // At worst, a filter's error is proportional to the sides of the shares.
+                let times = f64::from(smaller.count) / f64::from(samples.count);
+                change = smaller.change_from(&samples, transfer) / (times.sqrt() - 1.0);
+                samples = smaller;
             } else {
-                let size = tally.size();
-                self.send(&mut tally, 2, size, place, probe);
-                tally.put_together();
+                let size = samples.size();
+                self.send(&mut samples, 2, size, pixel, probe);
+                samples.merge_parts();
             }
         }
     }
 
-    /// Two or four times as many rays, all sent anew, by how far off the pixel is.
+    /// New samples, two or four times as many, depending on the error.
     ///
-    /// Large shares take long, so few steps are better than small ones.
+    /// Large shares are slow to filter, so few large steps are faster than many small ones.
     fn with_smaller_shares(
         &self,
-        tally: &SampleAccumulator,
+        samples: &SampleAccumulator,
         error: f64,
-        place: [usize; 2],
+        pixel: [usize; 2],
         probe: &mut impl Probe,
     ) -> SampleAccumulator {
-        // What twice as many rays make of an error at a border.
+        // The factor by which twice as many rays reduce the error at an edge.
         const LESS: f64 = 0.594_603_557_501_360_5; // 2^(-3/4)
-        let is_near = error * LESS <= self.picture.max_error;
+        let is_near = error * LESS <= self.settings.max_error;
         let times = if is_near { 2 } else { 4 };
-        let count = (tally.count * times).min(RenderSettings::MOST_ADAPTIVE);
+        let count = (samples.count * times).min(RenderSettings::MOST_ADAPTIVE);
         let mut more = SampleAccumulator::NOTHING;
-        more.outlined = tally.outlined;
-        self.send_watched(&mut more, 4, count / 4, place, probe);
+        more.has_outline = samples.has_outline;
+        self.send_detecting(&mut more, 4, count / 4, pixel, probe);
         more
     }
 
-    /// Sends rays as [`send`](Self::send), and tells what they met.
-    fn send_watched(
+    /// Traces rays as [`send`](Self::send), and returns the edge detector.
+    fn send_detecting(
         &self,
-        tally: &mut SampleAccumulator,
+        samples: &mut SampleAccumulator,
         parts: u32,
         size: u32,
-        place: [usize; 2],
+        pixel: [usize; 2],
         probe: &mut impl Probe,
     ) -> EdgeDetector<'a> {
-        let onlooker: &mut dyn Probe = probe;
-        let mut both = Both(onlooker, self.watch);
-        self.send(tally, parts, size, place, &mut both);
-        let watch = both.1;
+        let outer: &mut dyn Probe = probe;
+        let mut both = Both(outer, self.detector);
+        self.send(samples, parts, size, pixel, &mut both);
+        let detector = both.1;
         match self.filter {
             None => {}
             Some(Filter::Exact) => {
-                tally.found = watch.path().map_or(Found::Borders, Found::One);
-                tally.is_exact = watch.is_exact();
+                samples.content = detector
+                    .path_hash()
+                    .map_or(Content::Edges, Content::Uniform);
+                samples.is_exact = detector.is_exact();
             }
-            Some(_) => tally.is_exact = false,
+            Some(_) => samples.is_exact = false,
         }
-        watch
+        detector
     }
 
-    /// Sends so many parts of so many rays each through a pixel.
+    /// Traces `parts` parts of `size` rays each through a pixel.
     fn send(
         &self,
-        tally: &mut SampleAccumulator,
+        samples: &mut SampleAccumulator,
         parts: u32,
         size: u32,
         [column, row]: [usize; 2],
         probe: &mut impl Probe,
     ) {
         // The camera counts rows from the bottom.
-        let row = self.picture.height as usize - 1 - row;
-        let end = tally.count + parts * size;
-        let places = Places::new(Pattern::Sobol, column, row, end);
+        let row = self.settings.height as usize - 1 - row;
+        let end = samples.count + parts * size;
+        let places = SamplePositions::new(Pattern::Sobol, column, row, end);
         #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^53")]
         let (x, y) = (column as f64, row as f64);
         let tracer = Tracer {
             rays: end,
             ..self.tracer
         };
-        while tally.count < end {
-            let [dx, dy] = places.at(tally.count);
-            let seed = Seed::shared(places.seed, tally.count);
-            tally.add(tracer.sees_as(x + dx, y + dy, seed, probe));
-            if (end - tally.count).is_multiple_of(size) {
-                tally.close_part();
+        while samples.count < end {
+            let [dx, dy] = places.at(samples.count);
+            let seed = Seed::shared(places.seed, samples.count);
+            samples.add(tracer.sees_as(x + dx, y + dy, seed, probe));
+            if (end - samples.count).is_multiple_of(size) {
+                samples.close_part();
             }
         }
     }

@@ -1,39 +1,40 @@
-//! The rays around a ray, from the eye and behind surfaces, and what they see of textures.
+//! Ray differentials: the footprints of camera rays, reflected and transmitted rays.
 
 use glam::DVec3;
 
 use super::tracer::Interaction;
 use super::{RayKind, Tracer};
-use crate::camera::{Pattern, Places, Share};
+use crate::camera::{Pattern, SampleCell, SamplePositions};
 use crate::geometry::Hit;
 use crate::math::{Beam, Rgb};
 use crate::texture::Filter;
 use crate::visibility::Primitive;
 
 impl Tracer<'_> {
-    /// The beam from the eye through a place of the picture: through the ray's share of its pixel.
+    /// The ray differential of the camera ray through a raster position.
     ///
-    /// An area is the same wherever in it the ray is, so the mean over all areas is that over the pixel if
-    /// they are its parts. Filters that look at one place look where the ray goes.
+    /// It covers the ray's share of its pixel. With the exact filter the shares are cells that tile
+    /// the pixel, so the mean over all of them is the mean over the pixel. Other filters centre the
+    /// share on the ray.
     #[cold]
     pub(super) fn beam(&self, x: f64, y: f64) -> Beam {
-        let picture = &self.plan.scene.settings;
+        let settings = &self.plan.scene.settings;
         let pattern = match self.plan.outlines {
             Some(_) => Pattern::Sobol,
-            None => picture.pattern,
+            None => settings.pattern,
         };
-        let pixel = [x, y].map(|place| (place + 0.5).floor());
-        let place = [x - pixel[0], y - pixel[1]];
+        let pixel = [x, y].map(|coordinate| (coordinate + 0.5).floor());
+        let offset = [x - pixel[0], y - pixel[1]];
         let share = match self.plan.filter {
-            // Which pixel it is does not matter to the cells.
-            Some(Filter::Exact) => Places::new(pattern, 0, 0, self.rays).share(place),
-            _ => Share::around(place, self.rays),
+            // The cells are the same in every pixel.
+            Some(Filter::Exact) => SamplePositions::new(pattern, 0, 0, self.rays).cell(offset),
+            _ => SampleCell::around(offset, self.rays),
         };
         let middle = [0, 1].map(|axis| pixel[axis] + share.center[axis]);
         self.plan.camera.beam(middle, share.sides)
     }
 
-    /// What a beam shows of the texture of what it meets.
+    /// The filtered texel of a surface over the footprint of a ray.
     #[cold]
     pub(super) fn texel_over(&self, primitive: &Primitive<'_>, hit: &Hit, beam: &Beam) -> Rgb {
         let filter = self.plan.filter;
@@ -42,10 +43,10 @@ impl Tracer<'_> {
         })
     }
 
-    /// The beam behind a surface that reflects or transmits a ray in this direction.
+    /// The ray differential of a ray that a surface reflects or transmits.
     ///
-    /// Straight through it is the same beam. Behind a flat mirror it is exact, behind a round one right
-    /// to first order. A refracted beam is as wide as if it were not refracted.
+    /// It is unchanged straight through a surface, exact behind a flat mirror, and correct to first
+    /// order behind a round one. A refracted one keeps the width that it has without refraction.
     #[cold]
     pub(super) fn onward(
         &self,

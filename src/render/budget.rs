@@ -1,30 +1,30 @@
-//! What one ray from the eye may cause, and may lack.
+//! The budget of a camera ray: rays that it may cause, and light that it may miss.
 
 use super::Unfollowed;
 
-/// The most mirrored and transmitted rays that one ray from the eye may cause.
+/// The largest number of reflected and transmitted rays per camera ray.
 ///
-/// Two facing perfect mirrors would go on for ever; smaller, and long rows of mirror images end
-/// too early; larger, and a path needs more stack than a thread has.
+/// It ends paths between two perfect mirrors. With a smaller limit, long rows of mirror images end
+/// too early. With a larger one, a path needs more stack than a thread has.
 const MOST_BOUNCES: u32 = 1000;
 
-/// What is left for the rays that one ray from the eye causes.
+/// The remaining budget of the rays that one camera ray causes.
 #[derive(Debug)]
 pub(super) struct Budget {
-    /// How many more there may be.
+    /// The number of further rays.
     rays: u32,
-    /// How much light may still be missed.
+    /// The light that may still be missed.
     light: f64,
 }
 
 impl Budget {
-    /// No rays, and no light to miss.
+    /// An empty budget.
     pub(super) const NOTHING: Self = Self {
         rays: 0,
         light: 0.0,
     };
 
-    /// All that a ray from the eye may cause, which may miss this much light.
+    /// The full budget of a camera ray that may miss this much light.
     pub(super) fn new(light: f64) -> Self {
         Self {
             rays: MOST_BOUNCES,
@@ -32,11 +32,13 @@ impl Budget {
         }
     }
 
-    /// Spends a ray that could bring this much light; if it does not set out, what it could have
-    /// brought is missed.
+    /// Decides whether to follow a ray that could add at most this much light.
+    ///
+    /// A followed ray reduces the number of rays. A ray that is too faint reduces the light that
+    /// may be missed.
     ///
     /// # Errors
-    /// Tells why it does not.
+    /// Returns the reason for which the ray is not followed.
     pub(super) fn spend(&mut self, most: f64) -> Result<(), Unfollowed> {
         if most <= self.light {
             self.light -= most;
@@ -46,7 +48,7 @@ impl Budget {
         Ok(())
     }
 
-    /// Puts a share aside, so that the one of two rays that is followed first cannot use up all.
+    /// Reserves a share, so that the first of two rays cannot use up the whole budget.
     pub(super) fn put_aside(&mut self, share: f64) -> Self {
         #[expect(
             clippy::cast_possible_truncation,
@@ -63,7 +65,7 @@ impl Budget {
         aside
     }
 
-    /// Adds what was put aside to what is left.
+    /// Returns a reserved share to the budget.
     pub(super) fn take_back(&mut self, aside: Self) {
         self.rays += aside.rays;
         self.light += aside.light;

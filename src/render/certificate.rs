@@ -1,19 +1,22 @@
-//! What can be said of how right a picture is.
+//! The certificate of a picture: its largest errors.
 
 use std::iter::Sum;
 
 use super::{Event, Probe, Unfollowed};
 
-/// What can be said of how right a picture is: the largest errors.
+/// The largest errors of a picture.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Certificate {
-    /// The largest error of a hit that the eye sees directly, in world units.
+    /// The largest error bound of the hit of a camera ray, in world units.
     pub largest_error: f64,
-    /// How much at most a ray could have added that was not followed because its ray from the eye had
-    /// caused as many as it may; infinite if nothing bounds it.
+    /// The largest bound of the light that a capped ray could have added to its pixel.
+    ///
+    /// A ray is capped if its camera ray has caused the largest number of rays. Infinite if there
+    /// is no bound.
     pub largest_residual: f64,
-    /// The largest estimate for hits that it sees in mirrors and through panes, in world units;
-    /// infinite if rounding may have led a ray anywhere.
+    /// The largest estimated error of a reflected or transmitted ray's hit.
+    ///
+    /// In world units. Infinite if there is no estimate.
     pub largest_bounced_error: f64,
 }
 

@@ -1,44 +1,44 @@
-//! How much work a picture took.
+//! Counts of the work that a picture took.
 
 use std::iter::Sum;
 
 use super::{Event, Probe, RayKind, Unfollowed};
 use crate::math::Decisions;
 
-/// How much work a picture took.
+/// Counts of the work that a picture took.
 #[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Counts {
-    /// Rays from the eye.
+    /// Camera rays.
     pub camera_rays: u64,
-    /// Rays to lights.
+    /// Shadow rays to point lights.
     pub shadow_rays: u64,
-    /// Rays to points of lamps.
+    /// Shadow rays to points of lamps.
     pub lamp_rays: u64,
-    /// Rays from mirrors.
+    /// Reflected rays.
     pub mirror_rays: u64,
-    /// Rays through surfaces.
+    /// Rays through surfaces, straight on or refracted.
     pub transmitted_rays: u64,
-    /// Rays that were not followed because they could add no more than the `cut-off` allows a pixel
-    /// to lack.
+    /// Rays that were not followed because their light is within the `cut-off`.
     pub faint_rays: u64,
-    /// Rays that were not followed because a ray from the eye may cause only so many.
+    /// Rays that were not followed because of the limit of rays per camera ray.
     pub capped_rays: u64,
-    /// Surfaces that were asked whether a ray meets them.
+    /// Tests of a ray against a surface.
     pub hit_tests: u64,
-    /// Surfaces that were asked whether they hide a light, or a point of a lamp.
+    /// Tests of a shadow ray against an occluder.
     pub occlusion_tests: u64,
-    /// The same for every light by itself, and after the lights for every lamp; the last ones are
-    /// left out if nothing was asked for them.
+    /// The occlusion tests of each light, then of each lamp.
+    ///
+    /// Trailing zeros may be missing.
     #[serde(skip)]
     pub occlusion_tests_of: Vec<u64>,
-    /// What of that rounded values could not decide.
+    /// The tests that rounded values could not decide.
     pub decisions: Decisions,
     /// Texels that were fetched from images.
     pub texel_fetches: u64,
 }
 
 impl Counts {
-    /// All rays.
+    /// The number of all rays.
     #[must_use]
     pub fn rays(&self) -> u64 {
         self.camera_rays
@@ -48,8 +48,9 @@ impl Counts {
             + self.transmitted_rays
     }
 
-    /// The same counts times `of / pixels`, rounded: what so many pixels take if others are like
-    /// these.
+    /// The counts times `of / pixels`, rounded.
+    ///
+    /// An estimate for `of` pixels from `pixels` of them.
     #[must_use]
     pub fn scaled(mut self, of: u64, pixels: u64) -> Self {
         for count in self.each() {
@@ -59,16 +60,15 @@ impl Counts {
         self
     }
 
-    /// Surfaces that were asked whether they hide a light, or a lamp, which are counted on from the
-    /// lights.
+    /// The occlusion tests of a light or a lamp; lamps are numbered after the lights.
     #[must_use]
     pub fn occlusion_tests_of(&self, light: usize) -> u64 {
         self.occlusion_tests_of.get(light).copied().unwrap_or(0)
     }
 
-    /// Makes room for the lights up to this one.
+    /// The count of a light, after extending the list to it.
     #[cold]
-    fn reach_light(&mut self, light: usize) -> &mut u64 {
+    fn extend_to(&mut self, light: usize) -> &mut u64 {
         let count = self.occlusion_tests_of.len().max(light + 1);
         self.occlusion_tests_of.resize(count, 0);
         &mut self.occlusion_tests_of[light]
@@ -89,7 +89,7 @@ impl Counts {
             decisions: Decisions { exactly, by_rule },
             texel_fetches,
         } = self;
-        let alone = [
+        let single = [
             camera_rays,
             shadow_rays,
             lamp_rays,
@@ -103,7 +103,7 @@ impl Counts {
             by_rule,
             texel_fetches,
         ];
-        alone.into_iter().chain(occlusion_tests_of)
+        single.into_iter().chain(occlusion_tests_of)
     }
 }
 
@@ -125,7 +125,7 @@ impl Probe for Counts {
                 self.occlusion_tests += count;
                 match self.occlusion_tests_of.get_mut(light) {
                     Some(of_light) => *of_light += count,
-                    None => *self.reach_light(light) += count,
+                    None => *self.extend_to(light) += count,
                 }
             }
             Event::Decisions(decisions) => self.decisions = self.decisions + decisions,
@@ -144,7 +144,7 @@ impl Sum for Counts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
         counts.fold(Self::default(), |mut sum, mut next| {
             if let Some(last) = next.occlusion_tests_of.len().checked_sub(1) {
-                sum.reach_light(last);
+                sum.extend_to(last);
             }
             for (sum, next) in sum.each().zip(next.each()) {
                 *sum += *next;

@@ -1,4 +1,4 @@
-//! What the rays through a pixel meet, as far as it tells how many more it takes.
+//! Edge detection: whether all rays through a pixel have the same path.
 
 use super::{Arrival, Event, Probe, RayKind};
 use crate::camera::Camera;
@@ -8,155 +8,163 @@ use crate::plan::{Plan, Unlit};
 use crate::scene::{Falloff, Scene};
 use crate::surface::Surface;
 
-/// Notes how far rays from the eye go before they meet something, and whether they all find the same.
+/// A probe that compares the paths of camera rays, and records their largest depth.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EdgeDetector<'a> {
     camera: &'a Camera,
     scene: &'a Scene,
-    /// The largest depth so far at which one has met something.
-    farthest: f64,
-    /// Whether the last one has met nothing yet.
-    is_under_way: bool,
-    /// What stands for all that the last one has found; `None` before the first.
+    /// The largest depth of a first hit so far.
+    farthest_depth: f64,
+    /// True if the last camera ray has no hit yet.
+    awaits_hit: bool,
+    /// A hash of the last camera ray's path; `None` before the first ray.
     path: Option<u64>,
-    /// The same of the one before.
-    path_before: Option<u64>,
-    /// Whether all before the last one have found the same.
-    was_even: bool,
-    /// Whether the exact filter is exact for all that was met, and nothing else varies there.
+    /// The hash of the path before.
+    previous_path: Option<u64>,
+    /// True if all paths before the last one were equal.
+    were_equal: bool,
+    /// True if the exact filter is exact on all surfaces hit.
     is_exact: bool,
-    /// How many rays are under way that show nothing of what they meet.
-    idle: u32,
-    /// Whether light is seen on the surface that was met last.
-    answers: bool,
+    /// The number of open rays that add nothing to the pixel.
+    invisible_rays: u32,
+    /// True if light is visible on the surface that was hit last.
+    shows_light: bool,
 }
 
 impl<'a> EdgeDetector<'a> {
-    /// Of no ray yet.
+    /// A detector that has observed no ray yet.
     pub(super) fn new(plan: &'a Plan<'a>) -> Self {
         Self {
             camera: &plan.camera,
             scene: plan.scene,
-            farthest: 0.0,
-            is_under_way: false,
+            farthest_depth: 0.0,
+            awaits_hit: false,
             path: None,
-            path_before: None,
-            was_even: true,
-            // Light that fades varies even within a thing.
+            previous_path: None,
+            were_equal: true,
+            // Light that fades with distance varies within a surface.
             is_exact: plan.scene.lighting.view_falloff == Falloff::None,
-            idle: 0,
-            answers: false,
+            invisible_rays: 0,
+            shows_light: false,
         }
     }
 
-    /// The largest depth at which a ray met something; infinite if one met nothing.
-    pub(super) fn farthest(&self) -> f64 {
-        if self.is_under_way {
+    /// The largest depth of a first hit; infinite if a ray hit nothing.
+    pub(super) fn farthest_depth(&self) -> f64 {
+        if self.awaits_hit {
             f64::INFINITY
         } else {
-            self.farthest
+            self.farthest_depth
         }
     }
 
-    /// What stands for all that a ray has found, if no border lies between any two: they met the same
-    /// surfaces, in the same colours but for images with a filter, and the same lights shone there.
-    pub(super) fn path(&self) -> Option<u64> {
-        self.path.filter(|_| self.is_even())
+    /// The hash of the paths if all are equal: no edge lies between any two rays.
+    ///
+    /// Equal paths hit the same surfaces, in the same colours except for filtered images, with
+    /// light from the same lights.
+    pub(super) fn path_hash(&self) -> Option<u64> {
+        self.path.filter(|_| self.are_equal())
     }
 
-    fn is_even(&self) -> bool {
-        self.was_even && (self.path_before.is_none() || self.path == self.path_before)
+    fn are_equal(&self) -> bool {
+        self.were_equal && (self.previous_path.is_none() || self.path == self.previous_path)
     }
 
-    /// Whether the exact filter shows just a ray's share of all that was met, and nothing else varies
-    /// between borders.
+    /// Returns whether the exact filter is exact on all surfaces hit.
+    ///
+    /// False if anything but images varies there.
     pub(super) fn is_exact(&self) -> bool {
         self.is_exact
     }
 
-    /// Adds to what the last ray has found.
-    fn note<const MANY: usize>(&mut self, what: [u64; MANY]) {
-        let path = |path, what| scramble(path ^ what);
-        self.path = self.path.map(|start| what.into_iter().fold(start, path));
+    /// Adds to the hash of the last camera ray's path.
+    fn add_to_path<const MANY: usize>(&mut self, words: [u64; MANY]) {
+        let path = |path, word| scramble(path ^ word);
+        self.path = self.path.map(|start| words.into_iter().fold(start, path));
     }
 }
 
 impl Probe for EdgeDetector<'_> {
     fn on(&mut self, event: Event<'_>) {
         match event {
-            Event::Ray(kind, share) => self.start(kind, share),
-            Event::Returned(_) => self.idle = self.idle.saturating_sub(1),
-            Event::Hit(surface, hit, _) => self.hit(surface, hit),
-            Event::Light(light, arrival) => self.light(light, arrival),
+            Event::Ray(kind, share) => self.on_ray(kind, share),
+            Event::Returned(_) => self.invisible_rays = self.invisible_rays.saturating_sub(1),
+            Event::Hit(surface, hit, _) => self.on_hit(surface, hit),
+            Event::Light(light, arrival) => self.on_light(light, arrival),
             _ => {}
         }
     }
 }
 
 impl EdgeDetector<'_> {
-    fn start(&mut self, kind: RayKind, share: Rgb) {
+    fn on_ray(&mut self, kind: RayKind, share: Rgb) {
         match kind {
             RayKind::Camera => {
-                self.farthest = self.farthest();
-                self.was_even = self.is_even();
-                self.path_before = self.path;
-                self.is_under_way = true;
+                self.farthest_depth = self.farthest_depth();
+                self.were_equal = self.are_equal();
+                self.previous_path = self.path;
+                self.awaits_hit = true;
                 self.path = Some(0);
             }
-            RayKind::Mirror | RayKind::Transmitted if self.idle > 0 || share.is_black() => {
-                self.idle += 1;
+            RayKind::Mirror | RayKind::Transmitted
+                if self.invisible_rays > 0 || share.is_black() =>
+            {
+                self.invisible_rays += 1;
             }
             _ => {}
         }
     }
 
-    fn hit(&mut self, surface: usize, hit: &Hit) {
-        if self.is_under_way {
-            let way = hit.point.from(self.camera.viewpoint());
-            self.farthest = self.farthest.max(self.camera.depth(way));
-            self.is_under_way = false;
+    fn on_hit(&mut self, surface: usize, hit: &Hit) {
+        if self.awaits_hit {
+            let offset = hit.point.from(self.camera.viewpoint());
+            self.farthest_depth = self.farthest_depth.max(self.camera.depth(offset));
+            self.awaits_hit = false;
         }
-        if self.idle > 0 {
+        if self.invisible_rays > 0 {
             return;
         }
-        self.note([surface as u64]);
+        self.add_to_path([surface as u64]);
         let surface = &*self.scene.surfaces[surface];
         self.is_exact &= is_shown_exactly(surface);
-        self.answers = Unlit::by_itself(surface).is_none();
+        self.shows_light = Unlit::by_itself(surface).is_none();
         if surface.texture().is_none() {
-            self.note(bits(surface.getamb(hit)));
-            self.note(bits(surface.getdiff(hit)));
+            self.add_to_path(bits(surface.getamb(hit)));
+            self.add_to_path(bits(surface.getdiff(hit)));
         }
     }
 
-    fn light(&mut self, light: usize, arrival: Arrival) {
-        let (color, what) = match arrival {
+    fn on_light(&mut self, light: usize, arrival: Arrival) {
+        let (color, compared) = match arrival {
             Arrival::Light { color, .. } => (color, color),
             Arrival::Lamp { color, passed } => (color, passed),
             _ => return,
         };
-        // Light that is not visible may be planned or not.
-        if self.idle == 0 && self.answers && !color.is_black() {
-            self.note([light as u64]);
-            self.note(bits(what));
+        // Invisible light depends on the scope, so it does not count.
+        if self.invisible_rays == 0 && self.shows_light && !color.is_black() {
+            self.add_to_path([light as u64]);
+            self.add_to_path(bits(compared));
             // Its direction varies from point to point.
             self.is_exact = false;
         }
     }
 }
 
-/// Whether the exact filter shows just what a beam covers of a surface, and of what is seen by way of it.
+/// Returns whether the exact filter is exact on a surface.
 ///
-/// Images on round things are shown right to first order, and so is what these and glass bend. Before
-/// another image, the mean of both is not the product of their means. Glints have no filter.
+/// It must also be exact for the rays that the surface scatters.
+///
+/// On round surfaces, and behind round mirrors and glass, footprints are correct to first order
+/// only. The mean of a transparent image times an image behind it is not the product of their
+/// means. Specular highlights have no filter.
 fn is_shown_exactly(surface: &dyn Surface) -> bool {
     let material = &surface.common().material;
     let has_image = surface.texture().is_some();
     let is_shown = match surface.shape().carrier() {
         Some(_) => material.ior.is_none() && !(has_image && material.transparency > 0.0),
-        None => !has_image && !material.sends_on(),
+        None => !has_image && !material.spawns_rays(),
     };
-    is_shown && !material.has_glints()
+    is_shown && !material.has_highlights()
 }
 
 fn bits(color: Rgb) -> [u64; 3] {

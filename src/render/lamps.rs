@@ -11,8 +11,8 @@ use super::tracer::Interaction;
 use super::{Arrival, Event, Probe, RayKind, Seed, Tracer};
 
 impl Tracer<'_> {
-    /// The colour of a surface that comes from lamps: its own emission, or the light it reflects.
-    // Never inlined, as the stack then holds its part for every mirror on the way.
+    /// The colour of a surface from lamps: its emission, or reflected light.
+    // Never inlined, because the recursion would hold its stack frame for every reflection.
     #[inline(never)]
     pub(super) fn lamplight(&self, at: &Interaction<'_, '_>, probe: &mut impl Probe) -> Rgb {
         let Interaction { primitive, hit, .. } = *at;
@@ -66,8 +66,7 @@ impl Tracer<'_> {
         let LampSamples { lamp, index, seed } = samples;
         let (point, normal) = (&at.hit.point, at.hit.normal);
         let ray = Ray::spawn(at.ray_origin, normal);
-        let is_open = self.plan.camera.screen().is_none();
-        let occluders = match receiver.occlusion(at.hit, &ray, is_open) {
+        let occluders = match receiver.occlusion(at.hit, &ray) {
             Occlusion::None => return Rgb::WHITE,
             Occlusion::Full => return Rgb::BLACK,
             Occlusion::Partial(occluders) => occluders,
@@ -84,12 +83,12 @@ impl Tracer<'_> {
         if sent > 0.0 {
             passed / sent
         } else {
-            // So little of the lamp is above the horizon that no sample is; its highest point is.
+            // No sample is above the horizon, but the lamp's highest point is.
             self.passing(at, &occluders, (index, lamp.highest(normal)), probe)
         }
     }
 
-    /// The share of light that passes on the way to a point of a lamp.
+    /// The transmittance on the segment to a point of a lamp.
     fn passing(
         &self,
         at: &Interaction<'_, '_>,
@@ -119,15 +118,16 @@ struct LampSamples<'a> {
     seed: Seed,
 }
 
-/// Points in a square of side 1: a Sobol sequence (Sobol 1967), scrambled by the seed.
+/// Points in the unit square: a Sobol sequence (Sobol 1967), scrambled by the seed.
 ///
-/// Any two halves, quarters and so on of it are spread evenly. The scrambling is Owen's (1995) as hashes
-/// (Burley 2020, "Practical Hash-based Owen Scrambling"). Paths of one stream take their points in turn
-/// from one sequence, so all points together are spread evenly, too.
+/// Its halves, quarters and so on are well distributed. The scrambling is Owen's (1995), computed
+/// by hashes (Burley 2020, "Practical Hash-based Owen Scrambling"). Paths of one stream take
+/// consecutive points of one sequence, so the points of all paths together are well distributed,
+/// too.
 fn places(count: u32, seed: Seed) -> impl Iterator<Item = DVec2> {
     let first = u64::from(seed.number) * u64::from(count);
     (first..first + u64::from(count)).map(move |index| {
-        // The sequence has 2^16 places; then another one begins.
+        // The sequence has 2^16 points; then another one begins.
         #[expect(
             clippy::cast_possible_truncation,
             reason = "the low and the other bits"

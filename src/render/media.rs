@@ -1,4 +1,4 @@
-//! What a path is inside of, and what becomes of it at the next boundary.
+//! The media that a path is inside of, and their boundaries.
 
 use glam::DVec3;
 
@@ -7,38 +7,38 @@ use crate::math::{Refraction, Rgb};
 
 use super::Scattering;
 
-/// The media that a path is inside of: a list that lies along the path's own recursion.
+/// The media that a path is inside of: a linked list on the stack of the recursion.
 ///
-/// A place belongs to the medium that was entered last and not left again, so a bubble in glass in
-/// water is three surfaces in any order. Media are told apart by their indices of refraction; those
-/// of equal index are as good as one.
+/// A point belongs to the medium that was entered last and not left since. So a bubble in glass in
+/// water is three surfaces, which may overlap. Media of equal index of refraction count as the same
+/// medium.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Media<'a> {
-    /// Nothing but air.
+    /// Air only.
     Air,
-    /// A medium of this index was entered.
+    /// The path has entered a medium of this index.
     Entered { index: f64, before: &'a Self },
-    /// One of this index was left, though another had been entered after it.
+    /// The path has left a medium of this index, before one that it entered later.
     Left { index: f64, before: &'a Self },
 }
 
-/// What becomes of light that meets a surface.
+/// The split of a ray at a surface: reflected and passing shares.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Boundary<'a> {
-    /// The share that is mirrored, with its colour.
+    /// The reflected share, by channel.
     pub(super) mirrored: Rgb,
-    /// The share that is left for the surface's own colour and for what is behind it.
+    /// The share that remains for the surface's own colour and the transmitted ray.
     pub(super) passing: f64,
-    /// Where light that passes goes on; `None` if none does.
+    /// The direction of the transmitted ray; `None` for total reflection.
     pub(super) onward: Option<DVec3>,
-    /// How it goes on there.
+    /// The scattering of the transmitted ray.
     pub(super) scattering: Scattering,
-    /// What it is inside of then.
+    /// The media that the transmitted ray is inside of.
     pub(super) beyond: Media<'a>,
 }
 
 impl<'a> Media<'a> {
-    /// What becomes of light along the unit `dir` at a surface of this material and unit normal.
+    /// The split of a ray at a surface; `dir` and `normal` are unit vectors.
     #[inline(always)]
     pub(super) fn boundary(
         &'a self,
@@ -58,8 +58,9 @@ impl<'a> Media<'a> {
         }
     }
 
-    /// [`boundary`](Self::boundary) with a medium of this index behind the surface. What is not
-    /// entered is varnished, on either side.
+    /// The [`boundary`](Self::boundary) of a medium with this index.
+    ///
+    /// A surface that is not entered has a clear coat on both sides.
     #[cold]
     fn refracting(&'a self, index: f64, entered: bool, dir: DVec3, normal: DVec3) -> Boundary<'a> {
         let enters = !entered || dir.dot(normal) < 0.0;
@@ -72,7 +73,7 @@ impl<'a> Media<'a> {
                 },
             ),
             (false, Some(_)) => (self.index(), self.without(index)),
-            // The path began inside.
+            // The path started inside.
             (false, None) => (index, *self),
         };
         let into = beyond.index();
@@ -90,7 +91,7 @@ impl<'a> Media<'a> {
         }
     }
 
-    /// The index of refraction here.
+    /// The index of refraction of the current medium.
     fn index(&self) -> f64 {
         const AIR: f64 = 1.0;
         let mut here = self;
@@ -111,7 +112,7 @@ impl<'a> Media<'a> {
         }
     }
 
-    /// Where the medium of this index was entered that would be left first.
+    /// The latest entry into a medium of this index that was not left since.
     fn nearest(&self, wanted: f64) -> Option<&Self> {
         let (mut here, mut left) = (self, 0);
         loop {
@@ -134,7 +135,7 @@ impl<'a> Media<'a> {
         }
     }
 
-    /// The media without the nearest one of this index, which there is.
+    /// The media after leaving the nearest one of this index, which must exist.
     fn without(&'a self, wanted: f64) -> Self {
         match self {
             Self::Entered { index, before } if index.to_bits() == wanted.to_bits() => **before,

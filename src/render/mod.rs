@@ -1,4 +1,4 @@
-//! Scene to film: pixels in parallel, the colour along one ray.
+//! Rendering: pixels in parallel, and the colour along each ray.
 
 mod adaptive;
 mod beams;
@@ -36,20 +36,22 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::camera::{Pattern, Places};
+use crate::camera::{Pattern, SamplePositions};
 use crate::film::{EncodedImage, Film, Format, Region};
 use crate::language::ValueError;
 use crate::math::Rgb;
 use crate::plan::{Plan, Scope};
 use crate::scene::Scene;
 
-/// Stack of a thread that renders, in bytes: room for the longest path of reflected rays.
+/// The stack size of a thread that renders, in bytes.
+///
+/// It has room for the longest path.
 pub const STACK: usize = 16 << 20;
 
 /// Renders a scene on the current thread pool, and counts the work.
 ///
-/// `progress` is called with the number of finished rows, from any thread. The film does not depend on
-/// the number of threads.
+/// `progress` is called with the number of finished rows, from any thread. The film does not depend
+/// on the number of threads.
 ///
 /// # Errors
 /// Returns an error for a camera that cannot exist, and for a picture that memory cannot hold.
@@ -60,7 +62,7 @@ pub fn render(
     Render::new(scene).progress(progress).film()
 }
 
-/// A picture to be rendered: a scene, and the part and the scope that are asked for.
+/// A picture to be rendered: a scene, and the part and scope of it.
 #[expect(
     missing_debug_implementations,
     reason = "a function has no form to show"
@@ -74,7 +76,7 @@ pub struct Render<'a> {
 }
 
 impl<'a> Render<'a> {
-    /// The whole picture of a scene, with the effects that it calls for.
+    /// The whole picture of a scene, with the effects that contribute to it.
     #[must_use]
     pub fn new(scene: &'a Scene) -> Self {
         Self {
@@ -85,13 +87,13 @@ impl<'a> Render<'a> {
         }
     }
 
-    /// The same with this scope.
+    /// Sets the scope.
     #[must_use]
     pub fn scope(self, scope: Scope) -> Self {
         Self { scope, ..self }
     }
 
-    /// A part of the picture, each pixel of which is as in the whole.
+    /// Sets the part of the picture; its pixels are the same as in the whole picture.
     #[must_use]
     pub fn part(self, part: Region) -> Self {
         Self { part, ..self }
@@ -103,7 +105,7 @@ impl<'a> Render<'a> {
         Self { progress, ..self }
     }
 
-    /// Renders the picture, and sums up what a probe observes in each row.
+    /// Renders the picture with one probe for each group of rows, and sums the probes.
     ///
     /// Neither depends on the number of threads.
     ///
@@ -114,7 +116,7 @@ impl<'a> Render<'a> {
         self.planned(&self.plan()?)
     }
 
-    /// Renders the picture by a plan of its scene; for the rest as [`film`](Self::film).
+    /// Renders the picture like [`film`](Self::film), with a given plan of its scene.
     ///
     /// # Errors
     /// Returns an error for a picture that memory cannot hold.
@@ -125,15 +127,18 @@ impl<'a> Render<'a> {
         let part = self.part;
         let mut film = Film::new(part.width, part.height).ok_or_else(|| no_memory(part))?;
         let painter = Painter::new(plan, part, self.progress);
-        let together = part.width * painter.together;
-        let rows = film.pixels_mut().par_chunks_mut(together).enumerate();
+        let pixels_per_task = part.width * painter.rows_per_task;
+        let rows = film
+            .pixels_mut()
+            .par_chunks_mut(pixels_per_task)
+            .enumerate();
         let observed = rows
-            .map(|(number, pixels)| painter.paint(number * painter.together, pixels))
+            .map(|(number, pixels)| painter.paint(number * painter.rows_per_task, pixels))
             .sum();
         Ok((film, observed))
     }
 
-    /// Renders the picture like [`film`](Self::film), and keeps only the numbers of a file format.
+    /// Renders like [`film`](Self::film), and keeps only the numbers of a file format.
     ///
     /// # Errors
     /// As [`film`](Self::film).
@@ -146,11 +151,11 @@ impl<'a> Render<'a> {
         let image = EncodedImage::new([part.width, part.height], format, encoding);
         let mut image = image.ok_or_else(|| no_memory(part))?;
         let painter = Painter::new(&plan, part, self.progress);
-        let rows = image.rows().chunks(painter.together).enumerate();
-        let blank = || vec![Rgb::BLACK; part.width * painter.together];
+        let rows = image.rows().chunks(painter.rows_per_task).enumerate();
+        let blank = || vec![Rgb::BLACK; part.width * painter.rows_per_task];
         let observed = rows.map_init(blank, |pixels, (number, encoded)| {
             let pixels = &mut pixels[..part.width * encoded.len()];
-            let observed = painter.paint(number * painter.together, pixels);
+            let observed = painter.paint(number * painter.rows_per_task, pixels);
             for (mut row, pixels) in encoded.into_iter().zip(pixels.chunks(part.width)) {
                 row.encode_row(pixels);
             }
@@ -168,7 +173,7 @@ impl<'a> Render<'a> {
     }
 }
 
-/// The refusal of a picture that memory cannot hold.
+/// The error for a picture that memory cannot hold.
 #[must_use]
 pub fn no_memory(part: Region) -> ValueError {
     let Region { width, height, .. } = part;
@@ -176,35 +181,36 @@ pub fn no_memory(part: Region) -> ValueError {
     ValueError::new("image", reason, "choose a smaller picture")
 }
 
-/// What draws the rows of a part of a picture.
+/// The renderer of the rows of a part of a picture.
 struct Painter<'a> {
     plan: &'a Plan<'a>,
     part: Region,
     progress: &'a (dyn Fn(usize) + Sync),
     adaptive: Option<Adaptive<'a>>,
-    /// How many rows are drawn by one thread at once.
-    together: usize,
-    /// The number of rows that are done.
-    done: AtomicUsize,
+    /// The number of rows in one task.
+    rows_per_task: usize,
+    /// The number of finished rows.
+    finished: AtomicUsize,
 }
 
 impl<'a> Painter<'a> {
     fn new(plan: &'a Plan<'a>, part: Region, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
-        // Pixels look at those around them, so rows are best drawn together then.
-        const TOGETHER: usize = 16;
+        // Adaptive pixels sample their neighbours too, so groups of rows share that work.
+        const ROWS_PER_TASK: usize = 16;
         let adaptive = Adaptive::new(Tracer::new(plan), plan);
         Self {
             plan,
             part,
             progress,
             adaptive,
-            together: if adaptive.is_some() { TOGETHER } else { 1 },
-            done: AtomicUsize::new(0),
+            rows_per_task: if adaptive.is_some() { ROWS_PER_TASK } else { 1 },
+            finished: AtomicUsize::new(0),
         }
     }
 
-    /// Gives the pixels of some rows of the part, from this one on, their colours, and tells what was
-    /// seen.
+    /// Renders the pixels of some rows of the part, and returns the probe.
+    ///
+    /// `row` is the first of them, counted in the part.
     fn paint<P: Probe + Default>(&self, row: usize, pixels: &mut [Rgb]) -> P {
         let (tracer, scene) = (Tracer::new(self.plan), self.plan.scene);
         let rows = Region {
@@ -218,20 +224,21 @@ impl<'a> Painter<'a> {
             Some(adaptive) => adaptive.draw(rows, pixels, &mut probe),
             None if scene.settings.samples == 1 => tracer.draw(rows, pixels, &mut probe),
             None => {
-                for ([column, row], pixel) in rows.places().zip(pixels) {
+                for ([column, row], pixel) in rows.pixels().zip(pixels) {
                     *pixel = uniform(tracer, scene, column, row, &mut probe);
                 }
             }
         }
         before.tell(&mut probe);
-        let done = self.done.fetch_add(rows.height, Ordering::Relaxed);
+        let done = self.finished.fetch_add(rows.height, Ordering::Relaxed);
         (self.progress)(done + rows.height);
         probe
     }
 }
 
-/// The colour of the pixel in a column and a row, counted from the top left, from 0: the mean of its
-/// samples, unclamped, summed in their order.
+/// The colour of a pixel, counted from the top left, from 0.
+///
+/// It is the unclamped mean of the pixel's samples, summed in order.
 pub fn pixel_color(
     tracer: Tracer<'_>,
     scene: &Scene,
@@ -245,7 +252,7 @@ pub fn pixel_color(
     uniform(tracer, scene, column, row, probe)
 }
 
-/// The colour of a pixel of a picture that asks for the same number of rays everywhere.
+/// The colour of a pixel with a fixed number of rays.
 fn uniform(
     tracer: Tracer<'_>,
     scene: &Scene,
@@ -264,7 +271,7 @@ fn uniform(
     if count == 1 {
         return tracer.sees(x, y, probe);
     }
-    let places = Places::new(pattern, column, from_bottom, count);
+    let places = SamplePositions::new(pattern, column, from_bottom, count);
     let mut sum = Rgb::BLACK;
     for number in 0..count {
         let [dx, dy] = places.at(number);

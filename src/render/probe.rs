@@ -4,10 +4,10 @@ use super::Errors;
 use crate::geometry::Hit;
 use crate::math::{Decisions, Rgb};
 
-/// The kinds of rays.
+/// The type of a ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RayKind {
-    /// From the eye.
+    /// From the camera.
     Camera,
     /// From a surface to a light.
     Shadow,
@@ -22,11 +22,11 @@ pub enum RayKind {
 /// The reason for which a ray is not followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unfollowed {
-    /// The path from the eye is longer than the scene's `reach`.
+    /// The path from the camera is longer than the scene's `reach`.
     BeyondReach,
-    /// It could add no more than this to its pixel, and the `cut-off` allows as much to be missing.
+    /// It could add at most this to its pixel, which is within the `cut-off`.
     TooFaint(f64),
-    /// Its camera ray has caused as many others as it may; it could have added this much.
+    /// Its camera ray has no rays left; it could have added this much.
     Capped(f64),
 }
 
@@ -35,7 +35,7 @@ pub enum Unfollowed {
 pub enum Arrival {
     /// None: the plan has proven that the light cannot light the surface.
     Unplanned,
-    /// None: the light is at the very point that is lit, so no direction leads to it.
+    /// None: the light is at the hit point, so no direction leads to it.
     Here,
     /// None: the light, or all of the lamp, is behind the surface.
     Behind,
@@ -43,20 +43,20 @@ pub enum Arrival {
     Colorless,
     /// None: the point is outside of the light's beam.
     OutsideBeam,
-    /// None: an occluder stands in the way.
+    /// None: an occluder blocks it.
     Hidden,
     /// The light of a point light.
     Light {
         /// The colour that arrives.
         color: Rgb,
-        /// True if the plan has proven that nothing stands in the way, so that no ray was sent.
+        /// True if it is proven that no occluder blocks it, so that no ray was sent.
         unasked: bool,
     },
     /// The light of a lamp.
     Lamp {
         /// The irradiance, shadows included: the light on a white diffuse surface.
         color: Rgb,
-        /// The transmittance on the way from the lamp.
+        /// The transmittance from the lamp.
         passed: Rgb,
     },
 }
@@ -66,11 +66,11 @@ pub enum Arrival {
 /// Surfaces are numbered as in the scene's list. Lamps are numbered after the lights.
 #[derive(Debug, Clone, Copy)]
 pub enum Event<'e> {
-    /// A ray starts; its surface passes on this share of what it brings back.
+    /// A ray starts; its surface passes on this share of its colour.
     Ray(RayKind, Rgb),
     /// A ray does not start.
     NotFollowed(RayKind, Unfollowed),
-    /// The ray that started last and has not returned hits a surface, with these errors.
+    /// The last ray that has not returned hits a surface, with these errors.
     Hit(usize, &'e Hit, Errors),
     /// Light arrives there from a light or a lamp.
     Light(usize, Arrival),
@@ -85,13 +85,13 @@ pub enum Event<'e> {
     OwnShare(f64),
     /// That ray returns with this colour.
     Returned(Rgb),
-    /// So many surfaces were tested for hits.
+    /// The number of surfaces that were tested for hits.
     HitTests(u64),
-    /// So many surfaces were tested as occluders of a light or a lamp.
+    /// A light or a lamp, and the number of its occluders that were tested.
     OcclusionTests(usize, u64),
     /// Some tests were not decided by rounded values.
     Decisions(Decisions),
-    /// So many texels were fetched from images.
+    /// The number of texels that were fetched from images.
     TexelFetches(u64),
 }
 
@@ -100,7 +100,7 @@ pub trait Probe {
     /// Observes an event.
     fn on(&mut self, event: Event<'_>);
 
-    /// Returns whether errors of hits are to be computed, which costs a little.
+    /// Returns whether the tracer computes the errors of hits, at a small cost.
     fn follows_errors(&self) -> bool {
         false
     }

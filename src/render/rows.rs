@@ -1,4 +1,4 @@
-//! Rows of pixels, one camera ray for each pixel, in spans that are decided at once where possible.
+//! Rows of pixels with one camera ray each, decided span by span where possible.
 
 use super::tracer::nothing;
 use super::{Event, Probe, RayKind, Seed, Tracer};
@@ -9,8 +9,8 @@ use crate::visibility::{Primitive, Visible};
 
 /// The largest number of pixels in a span.
 ///
-/// Fewer, and the decision about each span is seldom used; more, and several surfaces are visible in
-/// more of them.
+/// With fewer pixels, the decision about a span saves less. With more, several surfaces are visible
+/// in more of the spans.
 const LONGEST: usize = 32;
 
 impl<'a> Tracer<'a> {
@@ -20,13 +20,13 @@ impl<'a> Tracer<'a> {
         for (number, pixels) in pixels.chunks_mut(part.width).enumerate() {
             // The picture's rows are counted from the top, the camera's from the bottom.
             let from_bottom = height - 1 - (part.top + number);
-            let row = self.plan.camera.row(f64::from(small(from_bottom)));
-            let mut first = small(part.left);
+            let row = self.plan.camera.row(f64::from(to_u32(from_bottom)));
+            let mut first = to_u32(part.left);
             for pixels in pixels.chunks_mut(LONGEST) {
                 let span = PixelSpan {
                     row: &row,
                     first,
-                    count: small(pixels.len()),
+                    count: to_u32(pixels.len()),
                 };
                 self.draw_span(&span, pixels, probe);
                 first += span.count;
@@ -49,7 +49,7 @@ impl<'a> Tracer<'a> {
     }
 
     fn draw_each(&self, span: &PixelSpan<'_>, pixels: &mut [Rgb], probe: &mut impl Probe) {
-        for (x, pixel) in span.places().zip(pixels) {
+        for (x, pixel) in span.centers().zip(pixels) {
             *pixel = self.sees(x, span.row.y, probe);
         }
     }
@@ -80,7 +80,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Draws a pixel span in which only one surface can be visible, and every hit counts.
+    /// Draws a pixel span in which one surface can be visible, without limits of hits.
     fn draw_packet(
         &self,
         primitive: &Primitive<'a>,
@@ -91,12 +91,12 @@ impl<'a> Tracer<'a> {
         let row = span.row;
         let mut rays = [row.ray(0.0); LONGEST];
         let mut hits = [None; LONGEST];
-        for (x, ray) in span.places().zip(&mut rays) {
+        for (x, ray) in span.centers().zip(&mut rays) {
             ray.dir = row.dir(x);
         }
         let (rays, hits) = (&rays[..pixels.len()], &mut hits[..pixels.len()]);
         primitive.surface.shape().intersect_batch(rays, hits);
-        let places = span.places().zip(pixels);
+        let places = span.centers().zip(pixels);
         for ((ray, hit), (x, pixel)) in rays.iter().zip(hits).zip(places) {
             tested_once(probe);
             *pixel = match hit {
@@ -116,8 +116,8 @@ fn tested_once(probe: &mut impl Probe) {
     probe.on(Event::HitTests(1));
 }
 
-fn small(number: usize) -> u32 {
+fn to_u32(number: usize) -> u32 {
     #[expect(clippy::cast_possible_truncation, reason = "sides are far below 2^32")]
-    let small = number as u32;
-    small
+    let number = number as u32;
+    number
 }

@@ -1,104 +1,108 @@
-//! What the rays of a pixel have brought, and how right their mean is.
+//! The samples of a pixel, and the estimated error of their mean.
 
 use crate::film::Transfer;
 use crate::math::Rgb;
 
-/// How much the error of a border between two colours is of their difference, for one ray that is as
-/// likely to meet either; it falls as the count's power of -3/4. Twice the root of the mean square, as
-/// measured.
-pub(super) const BORDER: f64 = 0.8;
+/// The error of an edge for one ray, as a share of the colours' difference.
+///
+/// It is twice the measured root mean square for a ray that hits either colour with equal
+/// probability. The error falls with the count to the power of −3/4.
+pub(super) const EDGE_ERROR: f64 = 0.8;
 
-/// How many standard errors the error of a mean is: as measured on images, where it meets the target in
-/// more than 99.5 % of pixels.
-const SPREAD: f64 = 1.3;
+/// The error of a mean in units of its standard error.
+///
+/// As measured on images: with it, more than 99.5 % of pixels reach the target.
+const STANDARD_ERRORS: f64 = 1.3;
 
-/// With so many rays, their parts look alike by chance so often that the square of their standard
-/// error counts twice.
-const FEW: f64 = 16.0;
+/// The number of rays at which the squared standard error counts twice.
+///
+/// With few rays, the parts are often equal by chance, which underestimates the error.
+const FEW_RAYS: f64 = 16.0;
 
-/// What the rays of a pixel found.
+/// The content of a pixel, as its rays found it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Found {
-    /// Images, which vary anywhere.
+pub(super) enum Content {
+    /// Unfiltered images, which vary anywhere.
     Images,
-    /// Things with borders between them. Images have a filter that shows each ray its share of the pixel.
-    Borders,
-    /// All the same, for which this number stands; each shows its share of it.
-    One(u64),
+    /// Surfaces with edges between them; images are filtered over each ray's share.
+    Edges,
+    /// The same path for all rays, with this hash; each ray shows its share of it.
+    Uniform(u64),
 }
 
-/// What the rays of a pixel have brought.
+/// The accumulated samples of a pixel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SampleAccumulator {
-    /// How many rays; a power of two, at least four, or one and a half times that.
+    /// The number of rays: a power of two, at least four, or 1.5 times that.
     pub(super) count: u32,
-    /// The sums of equally many rays that follow each other, which are spread evenly: four or six of
-    /// them, and between two steps eight.
+    /// The sums of equally many consecutive rays, each of which are well distributed.
+    ///
+    /// There are four or six of them, and eight between two steps.
     parts: [Rgb; 8],
-    /// How many of these there are.
+    /// The number of closed parts.
     filled: usize,
     /// The sum of the squares of all colours.
     squares: Rgb,
-    /// What colours there are.
-    range: Colors,
-    /// Whether an outline runs through the pixel that is not well behind all that the first rays met.
-    pub(super) outlined: bool,
-    /// What its rays found.
-    pub(super) found: Found,
-    /// Whether no filter can be off for any of them.
+    /// The range of all colours.
+    range: ColorRange,
+    /// True if an outline in the pixel is not well behind all first hits.
+    pub(super) has_outline: bool,
+    /// The content as its rays found it.
+    pub(super) content: Content,
+    /// True if the filter is exact for all rays.
     pub(super) is_exact: bool,
 }
 
-/// The darkest and the brightest of each channel of some colours.
+/// The least and the largest value of each channel of some colours.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Colors {
+pub(super) struct ColorRange {
     low: Rgb,
     high: Rgb,
 }
 
-/// What the first rays of a pixel and of those around it have seen.
+/// The colours and content of the first rays of a pixel and its neighbours.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Around {
-    range: Colors,
-    found: Found,
+pub(super) struct Neighborhood {
+    range: ColorRange,
+    content: Content,
 }
 
-impl Around {
-    /// What one pixel's rays have seen.
-    pub(super) fn of(tally: &SampleAccumulator) -> Self {
+impl Neighborhood {
+    /// The colours and content of one pixel.
+    pub(super) fn of(samples: &SampleAccumulator) -> Self {
         Self {
-            range: tally.range,
-            found: tally.found,
+            range: samples.range,
+            content: samples.content,
         }
     }
 
-    /// What both have seen.
+    /// The union of two neighbourhoods.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             range: self.range.and(other.range),
-            found: match self.found {
-                Found::One(_) if other.found != self.found => Found::Borders,
-                found => found,
+            content: match self.content {
+                Content::Uniform(_) if other.content != self.content => Content::Edges,
+                content => content,
             },
         }
     }
 }
 
 impl SampleAccumulator {
-    /// No rays.
+    /// An accumulator without samples.
     pub(super) const NOTHING: Self = Self {
         count: 0,
         parts: [Rgb::BLACK; 8],
         filled: 0,
         squares: Rgb::BLACK,
-        range: Colors::NONE,
-        outlined: false,
-        found: Found::Images,
+        range: ColorRange::NONE,
+        has_outline: false,
+        content: Content::Images,
         is_exact: true,
     };
 
-    /// How far its mean is from another one's in the worst channel, as it is shown.
-    pub(super) fn moved_from(&self, other: &Self, transfer: Transfer) -> f64 {
+    /// The difference from another mean in the worst channel, in displayed values.
+    pub(super) fn change_from(&self, other: &Self, transfer: Transfer) -> f64 {
         let (mean, other) = (self.mean().channels(), other.mean().channels());
         let of_channel = |channel: usize| {
             let (mean, other): (f64, f64) = (mean[channel], other[channel]);
@@ -107,32 +111,32 @@ impl SampleAccumulator {
         (0..3).map(of_channel).fold(0.0, f64::max)
     }
 
-    /// Adds what a ray brought to the part that is being filled.
+    /// Adds the colour of a ray to the open part.
     pub(super) fn add(&mut self, color: Rgb) {
         let part = &mut self.parts[self.filled];
         *part = (*part + color).saturated();
         self.squares += color * color;
-        self.range = self.range.and(Colors {
+        self.range = self.range.and(ColorRange {
             low: color,
             high: color,
         });
         self.count += 1;
     }
 
-    /// How many rays there are in each part.
+    /// The number of rays in each part.
     pub(super) fn size(&self) -> u32 {
         #[expect(clippy::cast_possible_truncation, reason = "eight at most")]
         let parts = self.filled as u32;
         self.count / parts
     }
 
-    /// Closes the part that is being filled.
+    /// Closes the open part.
     pub(super) fn close_part(&mut self) {
         self.filled += 1;
     }
 
-    /// Puts two parts each together if there are eight.
-    pub(super) fn put_together(&mut self) {
+    /// Merges pairs of parts if there are eight.
+    pub(super) fn merge_parts(&mut self) {
         if self.filled == self.parts.len() {
             self.filled /= 2;
             for part in 0..self.filled {
@@ -152,11 +156,13 @@ impl SampleAccumulator {
         sum / f64::from(self.count)
     }
 
-    /// How far off the mean probably is in its worst channel, as it is shown, for all that its rays
-    /// and those around can tell. What filters are off they cannot.
-    pub(super) fn error(&self, around: Around, transfer: Transfer) -> f64 {
+    /// The estimated error of the mean in the worst channel, in displayed values.
+    ///
+    /// It is estimated from the pixel's own rays and those of its neighbours. Errors of filters are
+    /// not included.
+    pub(super) fn error(&self, neighborhood: Neighborhood, transfer: Transfer) -> f64 {
         let count = f64::from(self.count);
-        let border = BORDER / (count.sqrt() * count.sqrt().sqrt());
+        let edge = EDGE_ERROR / (count.sqrt() * count.sqrt().sqrt());
         let mean = self.mean().channels();
         let squares = (self.squares / count).channels();
         let parts = &self.parts[..self.filled];
@@ -164,50 +170,55 @@ impl SampleAccumulator {
         #[expect(clippy::cast_precision_loss, reason = "eight at most")]
         let pairs = (parts.len() * (parts.len() - 1)) as f64;
         let own = self.range.width();
-        let around = match around.found {
-            // There are no other colours than those of its own shares.
-            Found::One(_) => own,
-            _ => around.range.width(),
+        let neighborhood = match neighborhood.content {
+            // All colours are those of the pixel's own shares.
+            Content::Uniform(_) => own,
+            _ => neighborhood.range.width(),
         };
         let of_channel = |channel: usize| {
-            let (own, around, mean) = (own[channel], around[channel], mean[channel]);
-            // A border that cuts off a corner only is short: its error is between the difference of
-            // colours and their deviation, of which the former is at least twice the latter.
+            let (own, neighborhood, mean) = (own[channel], neighborhood[channel], mean[channel]);
+            // An edge that cuts off only a corner is short. Its error lies between the difference
+            // of the colours and their deviation; the former is at least twice the latter.
             let deviation = (squares[channel] - mean * mean).max(0.0).sqrt();
-            let border = border * (own * 2.0 * deviation).sqrt();
-            let off = parts
+            let edge = edge * (own * 2.0 * deviation).sqrt();
+            let deviations = parts
                 .iter()
                 .map(|part| part.channels()[channel] / size - mean);
-            let spread = off.map(|off| off * off).sum::<f64>() / pairs;
-            let spread = spread * (1.0 + FEW / count);
-            let seen = match self.found {
-                Found::Images => (border * border + SPREAD * SPREAD * spread).sqrt(),
-                Found::Borders => border,
-                Found::One(_) => 0.0,
+            let variance = deviations
+                .map(|deviation| deviation * deviation)
+                .sum::<f64>()
+                / pairs;
+            let variance = variance * (1.0 + FEW_RAYS / count);
+            let sampled = match self.content {
+                Content::Images => {
+                    (edge * edge + STANDARD_ERRORS * STANDARD_ERRORS * variance).sqrt()
+                }
+                Content::Edges => edge,
+                Content::Uniform(_) => 0.0,
             };
-            // What no ray has met has about the share of one ray: a colour of the pixels around,
-            // or black before white if an outline promises that there is something.
-            let known = if self.outlined {
-                around.max(1.0)
+            // A surface that no ray has hit covers about the share of one ray. Its colour is one of
+            // the neighbours'; behind an outline, it may differ by as much as black from white.
+            let possible = if self.has_outline {
+                neighborhood.max(1.0)
             } else {
-                around
+                neighborhood
             };
-            let unmet = (known - own) / count;
-            // Rays that are brighter than white hide nothing that none of them has met.
-            let unmet = transfer.error(mean.min(1.0), unmet);
-            transfer.error(mean, seen).max(unmet)
+            let missed = (possible - own) / count;
+            // The mean is limited to white, because samples above white would hide this error.
+            let missed = transfer.error(mean.min(1.0), missed);
+            transfer.error(mean, sampled).max(missed)
         };
         (0..3).map(of_channel).fold(0.0, f64::max)
     }
 }
 
-impl Colors {
+impl ColorRange {
     const NONE: Self = Self {
         low: Rgb::new(f64::MAX, f64::MAX, f64::MAX),
         high: Rgb::new(f64::MIN, f64::MIN, f64::MIN),
     };
 
-    /// The darkest and the brightest of both.
+    /// The union of two ranges.
     pub(super) fn and(self, other: Self) -> Self {
         let each = |choose: fn(f64, f64) -> f64, [a, b]: [Rgb; 2]| {
             Rgb::new(choose(a.r, b.r), choose(a.g, b.g), choose(a.b, b.b))
@@ -218,7 +229,7 @@ impl Colors {
         }
     }
 
-    /// How far the brightest is above the darkest, for each channel.
+    /// The width of the range, for each channel.
     fn width(&self) -> [f64; 3] {
         let (low, high) = (self.low.channels(), self.high.channels());
         [0, 1, 2].map(|channel| (high[channel] - low[channel]).min(f64::MAX))

@@ -1,63 +1,56 @@
-//! How a ray goes on where it meets a surface, and how right it is then.
+//! Scattering of rays at surfaces, and the growth of their errors.
 
-use crate::math::error_bounds::UNIT;
+use crate::math::error_bounds::{INCIDENCE, REFLECTION, refraction};
 
-/// How a ray goes on where it meets a surface.
+/// The type of scattering of a ray at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scattering {
-    /// In its own direction, bit for bit.
+    /// Transmitted in the same direction, bit for bit.
     Straight,
     /// Reflected.
     Reflected,
-    /// Bent, between media whose indices of refraction have this ratio, that before the surface to that
-    /// behind it.
+    /// Refracted, with this ratio of the indices of refraction: before to behind.
     Refracted(f64),
 }
 
 impl Scattering {
-    /// How far a ray may be beside its way and by how much its direction may be wrong behind a surface,
-    /// from the same two before it.
+    /// The lateral and the direction error behind a surface, from those before it.
     ///
-    /// The normal is off by an angle of `tilt`; `cosine` is that of the angle between normal and ray.
-    pub(super) fn behind(self, [beside, direction]: [f64; 2], tilt: f64, cosine: f64) -> [f64; 2] {
-        let [beside, direction] = match self {
-            Self::Straight => [beside, direction],
-            Self::Reflected => [beside, mirrored(direction, tilt)],
-            Self::Refracted(ratio) => bent([beside, direction], tilt, ratio, cosine),
+    /// `tilt` is the error of the normal in radians, `cosine` that of the angle between normal and
+    /// ray.
+    pub(super) fn behind(self, [lateral, direction]: [f64; 2], tilt: f64, cosine: f64) -> [f64; 2] {
+        let [lateral, direction] = match self {
+            Self::Straight => [lateral, direction],
+            Self::Reflected => [lateral, mirrored(direction, tilt)],
+            Self::Refracted(ratio) => refracted([lateral, direction], tilt, ratio, cosine),
         };
-        // What holds to first order says nothing of large angles.
+        // First-order estimates do not hold for large angles.
         let is_small = direction < 1.0;
-        [beside, if is_small { direction } else { f64::INFINITY }]
+        [lateral, if is_small { direction } else { f64::INFINITY }]
     }
 }
 
-/// By how much the direction may be wrong behind a mirror whose normal is off by `tilt`: by twice
-/// that more than before it.
+/// The direction error behind a mirror whose normal is off by `tilt`.
 fn mirrored(direction: f64, tilt: f64) -> f64 {
-    // Twice the product with the normal is off by 6 u, and taking it off and making the rest
-    // unit add 3 and 5.
-    const MIRRORING: f64 = 16.0 * UNIT;
-    direction + 2.0 * tilt + MIRRORING
+    // An error of the normal counts twice.
+    direction + 2.0 * tilt + REFLECTION
 }
 
-/// How far beside its way a ray may be that was bent, and by how much its direction may be wrong.
+/// The lateral error and the direction error of a refracted ray.
 ///
-/// With `μ` for the ratio, the law of refraction is `sin β = μ sin α`. So if the ray before is off in the
-/// plane of both rays, that behind is off by `μ cos α / cos β` times as much; if it is turned about
-/// the normal, their parts along the surface turn by the same angle, which is `μ` times as much. And
-/// if the normal is off by an angle, so is `α`, but `β` is counted from that normal: in the plane the ray
-/// is off by `|μ cos α / cos β − 1|` times the angle, and across by `|μ cos α − cos β|` times, which is
-/// less.
-///
-/// Towards the angle of total reflection `cos β` goes to zero, and these grow without bound. So they
-/// are taken for the largest `α` that may be; if nothing passes at that one, all is unknown.
-///
-/// Rounding puts `cos α` off by 5 u, so `μ² sin² α` by `(10 μ² + 5) u`, the root `cos β` by half of that and u,
-/// divided by itself, and the unit direction by `(10 μ + 12) u` more.
-///
-/// What slides along the surface by `1 / cos α` passes the ray behind at `cos β / cos α`.
-fn bent([beside, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f64; 2] {
-    let angle = direction + tilt + 16.0 * UNIT;
+/// Infinite if total reflection is within the errors.
+fn refracted([lateral, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f64; 2] {
+    // With μ for the ratio, the law of refraction is sin β = μ sin α. An error of the arriving
+    // direction in the plane of both rays grows by μ cos α / cos β. A rotation about the normal
+    // rotates the parts along the surface by the same angle, and grows by μ. If the normal is off
+    // by an angle, so is α, but β is measured from that normal. In the plane the ray is off by
+    // |μ cos α / cos β − 1| times the angle, and across it by |μ cos α − cos β| times, which is
+    // less.
+    //
+    // Toward the critical angle cos β goes to zero, and these factors grow without bound. So they
+    // are evaluated for the largest possible α. If that one is reflected totally, there is no
+    // bound.
+    let angle = direction + tilt + INCIDENCE;
     let sine = (1.0 - cosine * cosine).sqrt();
     let most = ratio * (sine + angle);
     if most.is_nan() || most >= 1.0 {
@@ -71,13 +64,14 @@ fn bent([beside, direction]: [f64; 2], tilt: f64, ratio: f64, cosine: f64) -> [f
     } else {
         1.0 - ratio * (cosine - angle) / cosine_at_least
     };
-    let rounding = ((5.0 * ratio * ratio + 3.0) / cosine_at_most + 10.0 * ratio + 12.0) * UNIT;
+    let rounding = refraction(ratio, cosine_at_most);
     let direction = direction * ratio.max(in_plane) + tilt * of_tilt + rounding;
+    // A hit that moves along the surface by 1 / cos α moves the ray behind it by cos β / cos α.
     let widening = (cosine_at_least / cosine).max(1.0);
-    [times(beside, widening), direction]
+    [times(lateral, widening), direction]
 }
 
-/// A product of errors: none of anything is none.
+/// A product of errors, in which zero times infinity is zero.
 pub(super) fn times(error: f64, factor: f64) -> f64 {
     if error == 0.0 || factor == 0.0 {
         0.0
@@ -104,8 +98,8 @@ mod tests {
         (0..157).map(|hundredth| f64::from(hundredth) / 100.0)
     }
 
-    fn turned(dir: DVec3, normal: DVec3, turn: Scattering) -> Option<DVec3> {
-        match turn {
+    fn scattered(dir: DVec3, normal: DVec3, scattering: Scattering) -> Option<DVec3> {
+        match scattering {
             Scattering::Straight => Some(dir),
             Scattering::Reflected => {
                 Some(Ray::new(Point::exact(DVec3::ZERO), dir).mirrored(normal))
@@ -114,22 +108,23 @@ mod tests {
         }
     }
 
-    /// The largest angle by which a ray is off when its direction and the normal are off by these in
-    /// any way; `None` if there is no ray then.
-    fn largest(angle: f64, turn: Scattering, off: f64, tilt: f64) -> Option<f64> {
+    /// The largest error of a scattered ray's direction, for errors of these sizes.
+    ///
+    /// The arriving direction is off by `off`, the normal by `tilt`. `None` for total reflection.
+    fn largest(angle: f64, scattering: Scattering, off: f64, tilt: f64) -> Option<f64> {
         let dir = falling(angle);
         let across = [direction(dir.cross(DVec3::Z)), DVec3::Z];
-        let expected = turned(dir, DVec3::Y, turn)?;
+        let expected = scattered(dir, DVec3::Y, scattering)?;
         let mut largest = 0f64;
         for step in 0..256 {
             let (first, second) = (f64::from(step % 16) / 8.0, f64::from(step / 16) / 8.0);
-            let way = |turns: f64, [x, y]: [DVec3; 2]| {
-                let turns = turns * std::f64::consts::PI;
-                x * libm::cos(turns) + y * libm::sin(turns)
+            let vector = |angle: f64, [x, y]: [DVec3; 2]| {
+                let angle = angle * std::f64::consts::PI;
+                x * libm::cos(angle) + y * libm::sin(angle)
             };
-            let dir = direction(dir + way(first, across) * off);
-            let normal = direction(DVec3::Y + way(second, [DVec3::X, DVec3::Z]) * tilt);
-            largest = largest.max((turned(dir, normal, turn)? - expected).length());
+            let dir = direction(dir + vector(first, across) * off);
+            let normal = direction(DVec3::Y + vector(second, [DVec3::X, DVec3::Z]) * tilt);
+            largest = largest.max((scattered(dir, normal, scattering)? - expected).length());
         }
         Some(largest)
     }
@@ -137,30 +132,30 @@ mod tests {
     #[test]
     fn what_is_off_before_a_surface_is_off_behind_it_by_no_more_than_said() {
         let mut compared = 0;
-        let turns = RATIOS
+        let scatterings = RATIOS
             .map(Scattering::Refracted)
             .into_iter()
             .chain([Scattering::Reflected, Scattering::Straight]);
-        for turn in turns {
+        for scattering in scatterings {
             for angle in angles() {
                 for (off, tilt) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, 1e-6), (1e-6, 1e-9)] {
-                    let [_, said] = turn.behind([0.0, off], tilt, libm::cos(angle));
-                    let Some(found) = largest(angle, turn, off, tilt) else {
-                        assert!(said.is_infinite(), "{turn:?} {angle}");
+                    let [_, said] = scattering.behind([0.0, off], tilt, libm::cos(angle));
+                    let Some(found) = largest(angle, scattering, off, tilt) else {
+                        assert!(said.is_infinite(), "{scattering:?} {angle}");
                         continue;
                     };
                     assert!(
                         found <= said * (1.0 + 1e-5) + 1e-15,
-                        "{found} {said} {turn:?} {angle}"
+                        "{found} {said} {scattering:?} {angle}"
                     );
-                    if let Scattering::Refracted(ratio) = turn
+                    if let Scattering::Refracted(ratio) = scattering
                         && ratio * libm::sin(angle) > 0.999
                     {
                         continue;
                     }
                     assert!(
                         said <= 2.0 * found + 1e-13,
-                        "{found} {said} {turn:?} {angle} {off} {tilt}"
+                        "{found} {said} {scattering:?} {angle} {off} {tilt}"
                     );
                     compared += 1;
                 }
@@ -172,13 +167,13 @@ mod tests {
     #[test]
     fn near_total_reflection_nothing_is_known_and_never_not_a_number() {
         let critical = libm::asin(1.0 / 1.5);
-        let near = |below: f64, beside: f64, tilt: f64, direction: f64| {
+        let near = |below: f64, lateral: f64, tilt: f64, direction: f64| {
             let cosine = libm::cos(critical - below);
-            Scattering::Refracted(1.5).behind([beside, direction], tilt, cosine)
+            Scattering::Refracted(1.5).behind([lateral, direction], tilt, cosine)
         };
         assert!(near(1e-9, 0.0, 0.0, 0.0)[1] < 1e-9);
         assert!(near(1e-9, 0.0, 0.0, 1e-8)[1].is_infinite());
-        let turns = [
+        let scatterings = [
             Scattering::Reflected,
             Scattering::Refracted(1.5),
             Scattering::Refracted(0.5),
@@ -188,9 +183,9 @@ mod tests {
             for below in [0.0, 1e-16, 1e-12, 0.1, critical] {
                 for direction in [0.0, 1e-9, f64::INFINITY] {
                     let mut errors = near(below, off, off, direction);
-                    for turn in turns {
+                    for scattering in scatterings {
                         for cosine in [0.0, 1.0, libm::cos(0.7)] {
-                            errors = turn.behind(errors, off, cosine);
+                            errors = scattering.behind(errors, off, cosine);
                             assert!(errors.iter().all(|it| !it.is_nan()), "{errors:?}");
                         }
                     }
@@ -208,7 +203,7 @@ mod tests {
             .value()
     }
 
-    /// Where a ray is bent to with hundreds of digits, as unit vectors along what is given.
+    /// The direction of a refracted ray, computed with hundreds of digits.
     fn bent_precisely(dir: DVec3, normal: DVec3, ratio: f64) -> [Big; 3] {
         let dot = |a: &[Big; 3], b: &[Big; 3]| &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2];
         let unit = |vector: DVec3| {
@@ -258,16 +253,18 @@ mod tests {
 
     #[test]
     fn what_slides_along_a_surface_leaves_beside_its_way() {
-        for (angle, turn) in angles().zip(RATIOS.map(Scattering::Refracted).into_iter().cycle()) {
-            let (dir, beside) = (falling(angle), 1e-3);
-            let Some(bent) = turned(dir, DVec3::Y, turn) else {
+        for (angle, scattering) in
+            angles().zip(RATIOS.map(Scattering::Refracted).into_iter().cycle())
+        {
+            let (dir, lateral) = (falling(angle), 1e-3);
+            let Some(bent) = scattered(dir, DVec3::Y, scattering) else {
                 continue;
             };
-            let apart = DVec3::X * (beside / libm::cos(angle));
+            let apart = DVec3::X * (lateral / libm::cos(angle));
             let leaves = (apart - bent * bent.dot(apart)).length();
-            let [said, _] = turn.behind([beside, 0.0], 0.0, libm::cos(angle));
+            let [said, _] = scattering.behind([lateral, 0.0], 0.0, libm::cos(angle));
             assert!(
-                leaves <= said * (1.0 + 1e-12) && said <= leaves.max(beside) * 1.001,
+                leaves <= said * (1.0 + 1e-12) && said <= leaves.max(lateral) * 1.001,
                 "{leaves} {said}"
             );
         }

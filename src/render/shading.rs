@@ -11,7 +11,7 @@ use super::{Arrival, Event, Probe, RayKind, Tracer};
 
 impl Tracer<'_> {
     /// The surface's own colour, faded: ambient, and the light of every light and lamp.
-    // Never inlined, as the stack then holds its part for every mirror on the way.
+    // Never inlined, because the recursion would hold its stack frame for every reflection.
     #[inline(never)]
     pub(super) fn own_color(&self, at: &Interaction<'_, '_>, probe: &mut impl Probe) -> Rgb {
         let mut color = self.color_of_lights(at, probe);
@@ -30,7 +30,7 @@ impl Tracer<'_> {
     #[inline(always)]
     fn color_of_lights(&self, at: &Interaction<'_, '_>, probe: &mut impl Probe) -> Rgb {
         let Interaction { primitive, hit, .. } = *at;
-        // A sum stays in registers, while the answer of a virtual call is in memory.
+        // A sum stays in registers, while the result of a virtual call is in memory.
         let mut color = primitive.surface.getamb(hit) + Rgb::BLACK;
         if self.plan.scene.lights.is_empty() {
             return color;
@@ -64,7 +64,7 @@ impl Tracer<'_> {
 
             let material = &primitive.common.material;
             let everything = self.plan.scope == Scope::Everything;
-            if material.has_glints() || everything && material.shininess > 0.0 {
+            if material.has_highlights() || everything && material.shininess > 0.0 {
                 // Halfway between the directions to the eye and to the light (Blinn 1977,
                 // "Models of light reflection for computer synthesized pictures").
                 let halfway = (segment.ray.dir - at.ray.dir).normalize_or_zero();
@@ -86,12 +86,11 @@ impl Tracer<'_> {
         segment: &Segment,
         probe: &mut impl Probe,
     ) -> Arrival {
-        let Some(leaving) = light.seen_along(segment.ray.dir) else {
+        let Some(leaving) = light.incident(segment.ray.dir) else {
             return Arrival::OutsideBeam;
         };
-        let screen = self.plan.camera.screen();
         let occlusion = if receiver.is_shadowed() {
-            receiver.occlusion(hit, &segment.ray, screen.is_none())
+            receiver.occlusion(hit, &segment.ray)
         } else {
             Occlusion::None
         };
@@ -106,7 +105,10 @@ impl Tracer<'_> {
             Occlusion::Partial(occluders) => {
                 probe.on(Event::Ray(RayKind::Shadow, Rgb::WHITE));
                 let mut tests = 0;
-                let segment = Segment { screen, ..*segment };
+                let segment = Segment {
+                    screen: self.plan.camera.screen(),
+                    ..*segment
+                };
                 let passed = occluders.transmittance(&segment, &mut tests);
                 probe.on(Event::OcclusionTests(index, tests));
                 passed

@@ -1,10 +1,10 @@
-//! Work that is counted where it is done, out of the sight of onlookers.
+//! Work that is counted per thread, without probes.
 
 use super::{Event, Probe};
 use crate::math::Decisions;
 use crate::texture::fetched_by_this_thread;
 
-/// What a thread has done of that so far.
+/// The counts of a thread at one moment.
 #[derive(Debug, Clone, Copy)]
 pub struct ThreadWork {
     decisions: Decisions,
@@ -12,7 +12,7 @@ pub struct ThreadWork {
 }
 
 impl ThreadWork {
-    /// All that this thread has done until now.
+    /// The counts of this thread until now.
     #[must_use]
     pub fn until_now() -> Self {
         Self {
@@ -21,7 +21,7 @@ impl ThreadWork {
         }
     }
 
-    /// Tells an onlooker what this same thread has done since then.
+    /// Reports to a probe the work that this thread has done since then.
     pub fn tell(self, probe: &mut impl Probe) {
         let now = Self::until_now();
         probe.on(Event::Decisions(now.decisions - self.decisions));

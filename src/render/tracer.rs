@@ -28,7 +28,7 @@ pub(super) struct Path<'a> {
     weight: f64,
     /// The media that the ray is inside of.
     media: Media<'a>,
-    /// The errors that rounding may have caused.
+    /// The errors at the ray's origin.
     errors: Errors,
     /// The seed of random choices along the path.
     pub(super) seed: Seed,
@@ -45,7 +45,7 @@ pub(super) struct Interaction<'m, 'a> {
     pub(super) path: &'m Path<'m>,
     /// The origin of rays that start here.
     pub(super) ray_origin: &'m RayOrigin<'m>,
-    /// The errors that rounding may have caused up to here.
+    /// The errors of the hit.
     errors: Errors,
     /// The length of the path from the eye to here.
     travelled: f64,
@@ -89,7 +89,7 @@ impl<'a> Tracer<'a> {
         probe.on(Event::Ray(RayKind::Camera, Rgb::WHITE));
         let plan = self.plan;
         let (ray, mut tests) = (plan.camera.ray(x, y), 0);
-        let span = plan.camera.span(&ray);
+        let span = plan.camera.limits(&ray);
         let found = match &plan.screen_bounds {
             Some(bounds) => bounds.nearest([x, y], &ray, span, &mut tests),
             None => plan.surfaces.nearest(&ray, span, &mut tests),
@@ -129,7 +129,7 @@ impl<'a> Tracer<'a> {
     /// The colour along a ray; black if it hits nothing.
     fn trace(&self, ray: &Ray, path: &Path, budget: &mut Budget, probe: &mut impl Probe) -> Rgb {
         let mut tests = 0;
-        let span = self.plan.camera.span(ray);
+        let span = self.plan.camera.limits(ray);
         let found = self.plan.surfaces.nearest(ray, span, &mut tests);
         probe.on(Event::HitTests(tests));
         match &found {
@@ -185,7 +185,9 @@ impl<'a> Tracer<'a> {
         color
     }
 
-    /// The hit at its exact texel or tile, with the colour of the image there or over the footprint.
+    /// The hit at its exact texel or tile, with the image's colour.
+    ///
+    /// The colour is the texel's, or the mean over the footprint.
     #[inline(always)]
     fn resolve(&self, primitive: &Primitive<'a>, hit: &Hit, ray: &Ray, path: &Path) -> Hit {
         let Resolved { uv, mut texel } = primitive.resolve(hit, ray);
@@ -195,7 +197,7 @@ impl<'a> Tracer<'a> {
         Hit { uv, texel, ..*hit }
     }
 
-    /// The colour of a surface: its own, and what it transmits and reflects.
+    /// The colour of a surface: its own, transmitted and reflected.
     fn with_sent_on(
         &self,
         own: Rgb,
@@ -212,7 +214,7 @@ impl<'a> Tracer<'a> {
         probe.on(Event::OwnShare(own_share));
         let mut color = own * boundary.passing;
         if material.transparency > 0.0 || everything {
-            // Each of two rays gets its share of the budget: in glass both go on and on.
+            // Each of two rays gets a share of the budget, because in glass both continue to split.
             let is_called = material.transparency > 0.0;
             let aside = is_called.then(|| budget.put_aside(1.0 - boundary.passing));
             let through = boundary.onward.map_or(Rgb::BLACK, |dir| {
@@ -277,21 +279,21 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         }
         probe.on(Event::Ray(next.kind, next.share));
-        // A ray that nothing calls for must not change the budget of others, even by a rounding.
+        // A ray without weight must not change the budget of others, not even by rounding.
         let mut nothing = Budget::NOTHING;
         let budget = if uncalled { &mut nothing } else { budget };
         let ray = Ray::spawn(at.ray_origin, next.dir);
         next.share * self.trace(&ray, &onward, budget, probe)
     }
 
-    /// Returns whether surfaces on a path send on even rays that nothing calls for.
+    /// Returns whether surfaces on a path scatter even rays without weight.
     ///
-    /// Such rays have no weight, and the surfaces that they hit send on no others.
+    /// The surfaces that such rays hit scatter no others.
     fn sends_uncalled(&self, path: &Path) -> bool {
         self.plan.scope == Scope::Everything && path.weight > 0.0
     }
 
-    /// Decides whether a path goes on; if not, the light that it could still add is spent.
+    /// Decides whether a path goes on; if not, it spends the light that it could add.
     fn is_worth_following(
         &self,
         path: &Path,

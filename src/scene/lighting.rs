@@ -1,27 +1,31 @@
-//! How light fades with distance.
+//! Falloff of light with distance.
 
 use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, words};
 
-/// How light fades on its way from the lights and to the eye. The default is the chapter's model.
+/// The falloff of light from the lights and to the eye.
+///
+/// The default is the chapter's model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lighting {
-    /// Fading with the distance from a light.
+    /// The falloff with the distance from a light.
     pub falloff: Falloff,
-    /// Fading with the whole way from the eye, mirrors included.
+    /// The falloff with the length of the path from the eye, mirrors included.
     pub view_falloff: Falloff,
-    /// Nothing is seen after a way from the eye longer than this, in world units.
+    /// The longest path from the eye to a ray's origin, in world units.
+    ///
+    /// Rays beyond it are black.
     pub reach: f64,
 }
 
-/// How an intensity fades with a distance.
+/// The falloff of an intensity with a distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Falloff {
-    /// Not at all.
+    /// Constant.
     None,
-    /// By 1/d.
+    /// As 1/d.
     #[default]
     Inverse,
-    /// By 1/d².
+    /// As 1/d².
     InverseSquare,
 }
 
@@ -32,7 +36,7 @@ words!(Falloff {
 });
 
 impl Falloff {
-    /// What an intensity is divided by at a distance; never zero, however near.
+    /// The divisor of an intensity at a distance, always above zero.
     #[must_use]
     pub fn divisor(self, distance: f64) -> f64 {
         let divisor = match self {
@@ -58,7 +62,7 @@ impl Lighting {
     /// The `lighting` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "lighting",
-        about: "How light fades; without it, as in the chapter.",
+        about: "The falloff of light with distance; the default is the chapter's.",
         naming: Naming::None,
         value: None,
         properties: &[],
@@ -66,26 +70,26 @@ impl Lighting {
             Attribute::new(
                 "falloff",
                 Takes::Word(&Falloff::WORDS),
-                "with the way from a light",
+                "falloff with the distance from a light",
             )
             .or(Default::Word(Falloff::Inverse.word())),
             Attribute::new(
                 "view-falloff",
                 Takes::Word(&Falloff::WORDS),
-                "with the whole way from the eye, mirrors included",
+                "falloff with the length of the path from the eye, mirrors included",
             )
             .or(Default::Word(Falloff::Inverse.word())),
             Attribute::new(
                 "reach",
                 Takes::Number(Range::Positive),
-                "rays that have come further than this see nothing; without it there is no limit",
+                "longest path from the eye to a ray's origin; rays beyond it are black",
             )
             .unit("world units")
             .optional(),
         ]],
     };
 
-    /// What a `lighting` node says.
+    /// The lighting of a `lighting` node.
     #[must_use]
     pub fn from_node(node: &Node) -> Self {
         let falloff = |word| Falloff::from_word(&node.text(word)).unwrap_or_default();
@@ -98,7 +102,7 @@ impl Lighting {
         }
     }
 
-    /// The settings as a node of the scene language.
+    /// The lighting as a node of the scene language.
     #[must_use]
     pub fn describe(&self) -> Node {
         let node = Node::new(&Self::SCHEMA, None)

@@ -1,13 +1,15 @@
-//! What is to be drawn.
+//! Scenes: settings, camera, lights and surfaces.
 
 mod lighting;
 mod render_settings;
 mod setting;
+mod settings;
 mod write;
 
 pub use lighting::{Falloff, Lighting};
 pub use render_settings::RenderSettings;
-pub use setting::Setting;
+pub use setting::{Setting, SettingKind};
+pub use settings::SETTINGS;
 
 use std::sync::Arc;
 
@@ -22,11 +24,11 @@ use crate::texture::{Filter, Texture};
 /// A scene in which every name is resolved.
 #[derive(Debug)]
 pub struct Scene {
-    /// The picture's size and how its pixels are made.
+    /// The picture's size and accuracy settings.
     pub settings: RenderSettings,
-    /// Where it is taken from.
+    /// The camera.
     pub view: View,
-    /// How light fades.
+    /// The falloff of light with distance.
     pub lighting: Lighting,
     /// The textures in use, in file order.
     pub textures: Vec<Arc<Texture>>,
@@ -34,16 +36,16 @@ pub struct Scene {
     pub materials: Vec<Arc<Material>>,
     /// The lights in file order; they are summed in this order.
     pub lights: Vec<Light>,
-    /// The surfaces in file order; of coincident ones the first is seen.
+    /// The surfaces in file order; the first of coincident ones is visible.
     pub surfaces: Vec<Box<dyn Surface>>,
-    /// The planes and lines that surfaces share.
+    /// The planes and borders that surfaces share.
     pub shared: Vec<Shared>,
-    /// The texts that it was read from.
+    /// The source texts.
     pub sources: Sources,
 }
 
 impl Scene {
-    /// Whether there are textures of which a ray sees more than the texel that it meets.
+    /// True if a texture is looked up with a filter wider than one texel.
     #[must_use]
     pub fn is_filtered(&self) -> bool {
         let mut surfaces = self.surfaces.iter();
@@ -51,7 +53,7 @@ impl Scene {
             && surfaces.any(|surface| surface.texture().is_some())
     }
 
-    /// Every kind of node that a scene may hold, but for `include`, which only files have.
+    /// The schemas of all nodes of a scene. `include` belongs to files only.
     pub fn schemas() -> impl Iterator<Item = &'static Schema> {
         const PARTS: &[&Schema] = &[
             &RenderSettings::SCHEMA,
@@ -66,7 +68,7 @@ impl Scene {
         PARTS.iter().chain(surface::SCHEMAS).copied()
     }
 
-    /// The whole scene as nodes of the scene language, every default spelled out.
+    /// The scene as nodes of the scene language, with all defaults.
     #[must_use]
     pub fn describe(&self) -> Vec<Node> {
         let head = [
@@ -89,8 +91,9 @@ impl Scene {
             .collect()
     }
 
-    /// A fingerprint of everything that shapes the picture: numbers, names and texels, but not
-    /// comments, layout, file names or the language it was written in.
+    /// Hash of the numbers, names and texels of the scene.
+    ///
+    /// It does not depend on comments, layout, file names or the scene's language.
     #[must_use]
     pub fn hash(&self) -> String {
         let mut hasher = blake3::Hasher::new();

@@ -1,61 +1,75 @@
 //! The picture's size and how its pixels are made.
 
-use super::Setting;
+use super::{SETTINGS, Setting};
 use crate::camera::Pattern;
 use crate::film::{BitDepth, Encoding, Rounding, Transfer};
-use crate::language::{
-    Attribute, Default, Location, Naming, Node, Range, Schema, Takes, Value, ValueError,
-};
+use crate::language::{Attribute, Location, Naming, Node, Range, Schema, Takes, Value, ValueError};
 use crate::math::Numerics;
 use crate::texture::Filter;
 
-/// What the scene says about its picture.
+/// The picture's size, and the accuracy and encoding of its pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RenderSettings {
-    /// Width in pixels; at least 1.
+    /// Width in pixels, at least 1.
     pub width: u32,
-    /// Height in pixels; at least 1.
+    /// Height in pixels, at least 1.
     pub height: u32,
-    /// Rays through each pixel; at least 1.
+    /// Rays through each pixel, at least 1; the smallest number with [`max_error`](Self::max_error).
     pub samples: u32,
-    /// How they are spread over the pixel.
+    /// Placement of the rays in a pixel.
     pub pattern: Pattern,
-    /// The error that a pixel may probably have, where the largest code value is 1; 0 if all pixels have
-    /// as many rays.
+    /// Target for a pixel's error, where the largest code value is 1; 0 for none.
     pub max_error: f64,
-    /// The curve from intensities to the values that are rounded to code values.
+    /// Curve from intensities to the values that are rounded to code values.
     pub transfer: Transfer,
-    /// What its numbers are kept in.
+    /// Number format of the picture.
     pub depth: BitDepth,
-    /// How values are rounded to code values.
+    /// Rounding of values to code values.
     pub rounding: Rounding,
-    /// How much a pixel may lack because mirrored and transmitted rays are not followed for ever,
-    /// where the largest code value is 1; by default a quarter of a code value of 255.
+    /// Most that a pixel may lose because mirrored and transmitted rays are not followed forever,
+    /// where the largest code value is 1.
     pub cut_off: f64,
-    /// What decides where rays meet surfaces.
+    /// Arithmetic that decides where rays hit surfaces.
     pub numerics: Numerics,
-    /// What is seen of a texture in a pixel.
+    /// Colour that a pixel takes from a texture.
     pub texture_filter: Filter,
-    /// Where the scene file says so, if it was read from one.
+    /// Place of the `image` node, if the settings were read from a file.
     pub place: Option<Location>,
 }
 
 impl RenderSettings {
-    /// The longest side in pixels.
+    /// Longest side in pixels.
     pub const LONGEST_SIDE: u32 = 32_768;
-    /// The most pixels; they take 24 bytes each while the picture is made.
+    /// Largest number of pixels; each takes 24 bytes while the picture is rendered.
     pub const MOST_PIXELS: u64 = 1 << 27;
-    /// The most rays through one pixel.
+    /// Largest number of rays through one pixel.
     pub const MOST_SAMPLES: u32 = 65_536;
-    /// The fewest rays through a pixel with `max-error`.
+    /// Smallest number of rays through a pixel with `max-error`.
     pub const FEWEST_ADAPTIVE: u32 = 4;
-    /// The most rays through a pixel with `max-error`, if `samples` does not ask for more.
+    /// Largest number of rays through a pixel with `max-error`, unless `samples` is larger.
     pub const MOST_ADAPTIVE: u32 = 4096;
+
+    /// A picture of one pixel with the defaults of the scene language.
+    pub const DEFAULT: Self = Self {
+        width: 1,
+        height: 1,
+        samples: 1,
+        pattern: Pattern::Stratified,
+        max_error: 0.0,
+        transfer: Transfer::None,
+        depth: BitDepth::Eight,
+        rounding: Rounding::Nearest,
+        // A quarter of a code value of 255.
+        cut_off: 0.000_98,
+        numerics: Numerics::Robust,
+        texture_filter: Filter::Nearest,
+        place: None,
+    };
 
     /// The `image` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "image",
-        about: "The picture's width and height in pixels, and how its pixels are made.",
+        about: "Size and accuracy of the picture.",
         naming: Naming::None,
         value: Some(
             &Attribute::new(
@@ -65,151 +79,102 @@ impl RenderSettings {
             )
             .unit("pixels"),
         ),
-        properties: &[
-            Attribute::new(
-                "samples",
-                Takes::Number(Range::Whole(1, Self::MOST_SAMPLES)),
-                "rays through each pixel; one goes through its centre",
-            )
-            .or(Default::Number(1.0)),
-            Attribute::new(
-                "pattern",
-                Takes::Word(&Pattern::WORDS),
-                "how several rays are spread over a pixel: `grid` in the centres of equal cells, \
-                 `stratified` anywhere in each cell, `sobol` in an Owen-scrambled Sobol sequence, \
-                 of which the places on lamps are parts, too, and `random` anywhere; `center` is \
-                 for one ray",
-            )
-            .or(Default::Word(Pattern::Stratified.word())),
-            Attribute::new(
-                "max-error",
-                Takes::Number(Range::Between(0.0, 1.0)),
-                "a target: rays are added to a pixel, in its Sobol sequence, until its error, as a \
-                 share of the largest code value, is probably no larger; `samples` are then the \
-                 fewest, four at least, and 4096 the most; 0 is none",
-            )
-            .or(Default::Number(0.0)),
-            Attribute::new(
-                "transfer",
-                Takes::Word(&Transfer::WORDS),
-                "the curve from intensities to code values: none, as in the chapter, or that of \
-                 sRGB, which screens expect",
-            )
-            .or(Default::Word(Transfer::None.word())),
-            Attribute::new(
-                "depth",
-                Takes::Word(&BitDepth::WORDS),
-                "what the picture's numbers are kept in: code values of 8 or of 16 bits, or 32-bit \
-                 floats, which are intensities; it chooses between formats as far as neither the \
-                 output's name nor `--format` does",
-            )
-            .or(Default::Word(BitDepth::Eight.word())),
-            Attribute::new(
-                "quantize",
-                Takes::Word(&Rounding::WORDS),
-                "to the nearest code value, or to the next lower one",
-            )
-            .or(Default::Word(Rounding::Nearest.word())),
-            Attribute::new(
-                "cut-off",
-                Takes::Number(Range::Between(0.0, 1.0)),
-                "how much a pixel may lack, as a share of the largest code value, because \
-                 mirrored and transmitted rays are not followed for ever",
-            )
-            .or(Default::Number(0.000_98)),
-            Attribute::new(
-                "numerics",
-                Takes::Word(&Numerics::WORDS),
-                "what decides where rays meet surfaces; `classic` is the chapter's own algorithm",
-            )
-            .or(Default::Word(Numerics::Robust.word())),
-            Attribute::new(
-                "texture-filter",
-                Takes::Word(&Filter::WORDS),
-                "what is seen of a texture in a pixel: the texel in its middle, or more",
-            )
-            .or(Default::Word(Filter::Nearest.word())),
-        ],
+        properties: &PROPERTIES,
         attributes: &[],
     };
 
-    /// Whether a picture may have this width and height.
+    /// Checks a width and a height.
     ///
     /// # Errors
-    /// Refuses a side of no pixels, a side too long, and too many pixels.
+    /// Refuses an empty side, a side above [`LONGEST_SIDE`](Self::LONGEST_SIDE), and more pixels than
+    /// [`MOST_PIXELS`](Self::MOST_PIXELS).
     pub fn check_size([width, height]: [u32; 2]) -> Result<(), ValueError> {
         let sides = 1..=Self::LONGEST_SIDE;
         let reason = if !(sides.contains(&width) && sides.contains(&height)) {
             format!("width and height must be from 1 to {}", Self::LONGEST_SIDE)
         } else if u64::from(width) * u64::from(height) > Self::MOST_PIXELS {
-            format!(
-                "a picture has at most {} million pixels",
-                Self::MOST_PIXELS / 1_000_000
-            )
+            let millions = Self::MOST_PIXELS / 1_000_000;
+            format!("a picture has at most {millions} million pixels")
         } else {
             return Ok(());
         };
         Err(ValueError::new("image", reason, "choose a smaller picture"))
     }
 
-    /// Whether the settings make sense together.
+    /// Checks the settings against each other.
     ///
     /// # Errors
-    /// Refuses several rays through one place, and a pattern that cannot go on as long as it takes.
+    /// Refuses several rays through a pixel's centre, and `max-error` with a pattern that cannot be
+    /// continued.
     pub fn check(&self) -> Result<(), ValueError> {
-        let Self {
-            samples,
-            pattern,
-            max_error,
-            ..
-        } = self;
-        if *max_error > 0.0 && ![Pattern::Stratified, Pattern::Sobol].contains(pattern) {
+        let (samples, pattern) = (self.samples, self.pattern);
+        let (reason, advice, expected) = if self.max_error > 0.0
+            && ![Pattern::Stratified, Pattern::Sobol].contains(&pattern)
+        {
             let word = pattern.word();
-            let reason = format!("with `max-error` rays are added, which {word:?} cannot do");
-            let advice = "ask for `pattern=\"sobol\"`, or for no `max-error`";
-            let expected = "expected \"sobol\", or no pattern, with `max-error`";
-            return Err(ValueError::new("pattern", reason, advice).expected(expected));
-        }
-        if *pattern == Pattern::Center && *samples > 1 {
-            let reason = format!("{samples} rays through the centre of a pixel are the same ray");
-            let advice = "ask for `samples=1`, or for another pattern, such as `grid`";
-            let expected = "expected one ray with `pattern=\"center\"`";
-            return Err(ValueError::new("pattern", reason, advice).expected(expected));
-        }
-        Ok(())
+            (
+                format!("`max-error` adds rays to a pixel, which the pattern {word:?} cannot do"),
+                "set `pattern=\"sobol\"`, or remove `max-error`",
+                "expected \"sobol\", or no pattern, with `max-error`",
+            )
+        } else if pattern == Pattern::Center && samples > 1 {
+            (
+                format!("{samples} rays through the centre of a pixel are the same ray"),
+                "set `samples=1`, or another pattern, such as `grid`",
+                "expected one ray with `pattern=\"center\"`",
+            )
+        } else {
+            return Ok(());
+        };
+        Err(ValueError::new("pattern", reason, advice).expected(expected))
     }
 
-    /// What an `image` node says.
+    /// The settings that an `image` node gives.
     ///
     /// # Errors
     /// Refuses a picture that is too large.
     pub fn from_node(node: &Node) -> Result<Self, ValueError> {
         let size = node.value.as_ref().map_or(glam::DVec2::ONE, Value::pair);
-        let (width, height) = (whole(size.x), whole(size.y));
+        let [width, height] = [whole(size.x), whole(size.y)];
         Self::check_size([width, height])?;
-        Ok(Self::with_properties([width, height], node))
-    }
-
-    /// The same picture with another setting.
-    #[must_use]
-    pub fn with(self, setting: &Setting) -> Self {
-        let mut node = self.describe();
-        let mut properties = node.properties.iter_mut();
-        let property = properties.find(|entry| entry.attribute.word == setting.word());
-        if let Some(property) = property {
-            property.value = Some(setting.value().clone());
+        let mut settings = Self {
+            width,
+            height,
+            place: node.location,
+            ..Self::DEFAULT
+        };
+        for kind in SETTINGS {
+            if let Some(value) = node.property(kind.word) {
+                (kind.set)(&mut settings, &value);
+            }
         }
-        node.location = self.place;
-        Self::with_properties([self.width, self.height], &node)
+        Ok(settings)
     }
 
-    /// How many rays go through each pixel with `max-error` before its error is looked at.
+    /// The same settings but for one.
+    #[must_use]
+    pub fn with(mut self, setting: &Setting) -> Self {
+        (setting.kind().set)(&mut self, setting.value());
+        self
+    }
+
+    /// The settings as a node of the scene language.
+    #[must_use]
+    pub fn describe(&self) -> Node {
+        let size = [f64::from(self.width), f64::from(self.height)];
+        let node = Node::new(&Self::SCHEMA, None).value(size);
+        SETTINGS.iter().fold(node, |node, kind| {
+            node.with_property(kind.word, (kind.get)(self))
+        })
+    }
+
+    /// Rays through each pixel with `max-error` before its error is estimated.
     #[must_use]
     pub fn first_rays(&self) -> u32 {
         self.samples.next_power_of_two().max(Self::FEWEST_ADAPTIVE)
     }
 
-    /// How intensities become code values.
+    /// The way from intensities to code values.
     #[must_use]
     pub fn encoding(&self) -> Encoding {
         Encoding {
@@ -218,54 +183,31 @@ impl RenderSettings {
         }
     }
 
-    /// How much intensity a pixel may lack, so that it lacks no more than `cut_off` when it is shown,
-    /// however dark it is.
+    /// Intensity that a pixel may lose, so that its shown value loses at most
+    /// [`cut_off`](Self::cut_off), however dark the pixel is.
     #[must_use]
     pub fn missing_light(&self) -> f64 {
-        self.cut_off / self.transfer.steepest()
-    }
-
-    fn with_properties([width, height]: [u32; 2], node: &Node) -> Self {
-        let number = |word| node.property(word).map_or(0.0, |value| value.number());
-        let word = |word| node.property(word).unwrap_or_else(|| "".into());
-        Self {
-            width,
-            height,
-            samples: whole(number("samples")),
-            pattern: Pattern::from_word(word("pattern").text()).unwrap_or_default(),
-            max_error: number("max-error"),
-            transfer: Transfer::from_word(word("transfer").text()).unwrap_or_default(),
-            depth: BitDepth::from_word(word("depth").text()).unwrap_or_default(),
-            rounding: Rounding::from_word(word("quantize").text()).unwrap_or_default(),
-            cut_off: number("cut-off"),
-            numerics: Numerics::from_word(word("numerics").text()).unwrap_or_default(),
-            texture_filter: Filter::from_word(word("texture-filter").text()).unwrap_or_default(),
-            place: node.location,
-        }
-    }
-
-    /// The settings as a node of the scene language.
-    #[must_use]
-    pub fn describe(&self) -> Node {
-        Node::new(&Self::SCHEMA, None)
-            .value([f64::from(self.width), f64::from(self.height)])
-            .with_property("samples", f64::from(self.samples))
-            .with_property("pattern", self.pattern.word())
-            .with_property("max-error", self.max_error)
-            .with_property("transfer", self.transfer.word())
-            .with_property("depth", self.depth.word())
-            .with_property("quantize", self.rounding.word())
-            .with_property("cut-off", self.cut_off)
-            .with_property("numerics", self.numerics.word())
-            .with_property("texture-filter", self.texture_filter.word())
+        self.cut_off / self.transfer.max_slope()
     }
 }
 
+/// The properties of the `image` node: the table of settings in the form of a schema.
+const PROPERTIES: [Attribute; SETTINGS.len()] = {
+    let mut properties = [SETTINGS[0].attribute(); SETTINGS.len()];
+    let mut next = 1;
+    while next < SETTINGS.len() {
+        properties[next] = SETTINGS[next].attribute();
+        next += 1;
+    }
+    properties
+};
+
+/// A number that the schema has found to be whole and positive.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "the schema allows positive whole numbers only"
 )]
-fn whole(number: f64) -> u32 {
+pub(super) fn whole(number: f64) -> u32 {
     number as u32
 }

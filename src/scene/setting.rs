@@ -1,33 +1,108 @@
-//! One setting of the picture, from outside of the scene file.
+//! One setting of the picture, from outside the scene file.
 
-use super::RenderSettings;
-use crate::language::{Attribute, Range, Takes, Value, did_you_mean};
+use super::{RenderSettings, SETTINGS};
+use crate::language::{Attribute, Default, Range, Takes, Value, did_you_mean};
 
-/// A property of the `image` node and a value that it may have: what the command line says instead
-/// of the scene, or one step of a dial.
+/// A property of the `image` node: its part in scenes, on the command line and in `cost`.
+#[derive(Debug, Clone, Copy)]
+pub struct SettingKind {
+    /// Its word in scenes and on the command line.
+    pub word: &'static str,
+    /// Its type and range.
+    pub takes: Takes,
+    /// Its value if a scene does not give it.
+    pub default: Default,
+    /// Its meaning; the part up to the first colon or semicolon stands alone.
+    pub about: &'static str,
+    /// Reads it from the settings.
+    pub(super) get: fn(&RenderSettings) -> Value,
+    /// Writes a value that [`takes`](Self::takes) allows to the settings.
+    pub(super) set: fn(&mut RenderSettings, &Value),
+    /// Its place among those that `cost` varies, from 1; 0 if no value is more accurate than another.
+    pub rank: usize,
+    /// The values that `cost` tries.
+    pub steps: &'static [&'static str],
+    /// Other settings that hold while `cost` tries them.
+    pub together_with: &'static [(&'static str, &'static str)],
+    /// The most accurate value; `None` if the reference chooses for itself.
+    pub best: Option<&'static str>,
+    /// True if its error is that against the reference, false if it is the distance from the same
+    /// picture with this setting at its best.
+    pub by_reference: bool,
+    /// True if it changes the file only, so that pictures are compared as they are written.
+    pub in_writing: bool,
+}
+
+impl SettingKind {
+    /// A setting without any part in `cost`; a start for the rows of the table.
+    pub(super) const PLAIN: Self = Self {
+        word: "",
+        takes: Takes::Nothing,
+        default: Default::Absent,
+        about: "",
+        get: |_| Value::Flag(false),
+        set: |_, _| (),
+        rank: 0,
+        steps: &[],
+        together_with: &[],
+        best: None,
+        by_reference: false,
+        in_writing: false,
+    };
+
+    /// The setting with this word, if `cost` varies it.
+    #[must_use]
+    pub fn varied(word: &str) -> Option<&'static Self> {
+        SETTINGS.iter().find(|it| it.word == word && it.rank > 0)
+    }
+
+    /// The setting at its most accurate value, if it has one.
+    #[must_use]
+    pub fn best(&self) -> Option<Setting> {
+        Setting::new(self.word, self.best?).ok()
+    }
+
+    /// The property in the schema of the `image` node.
+    #[must_use]
+    pub const fn attribute(&self) -> Attribute {
+        Attribute::new(self.word, self.takes, self.about).or(self.default)
+    }
+
+    /// The values that the command line accepts, in words.
+    #[must_use]
+    pub fn expected(&self) -> String {
+        let fraction = match self.takes {
+            Takes::Number(Range::Between(..)) => ", or a fraction such as 2/255",
+            _ => "",
+        };
+        format!("{}{fraction}", self.takes.words())
+    }
+}
+
+/// A setting and its value: a command-line option, or a step of `cost`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setting {
-    attribute: &'static Attribute,
+    /// Its row in the table.
+    row: usize,
     value: Value,
     text: String,
 }
 
 impl Setting {
-    /// The property with this word, set to what stands in a text.
+    /// The setting of this word with the value in a text.
     ///
     /// # Errors
-    /// Tells what was expected if the `image` node has no such property, or it no such value.
+    /// The words or values that were expected, if the word is unknown or the value not allowed.
     pub fn new(word: &str, text: &str) -> Result<Self, String> {
-        let properties = RenderSettings::SCHEMA.properties;
-        let known = properties.iter().find(|property| property.word == word);
-        let attribute = known.ok_or_else(|| {
-            let words = || properties.iter().map(|property| property.word);
-            let list: Vec<_> = words().collect();
-            let found = did_you_mean(word, words());
+        let row = SETTINGS.iter().position(|kind| kind.word == word);
+        let row = row.ok_or_else(|| {
+            let words: Vec<_> = SETTINGS.iter().map(|kind| kind.word).collect();
+            let found = did_you_mean(word, words.iter().copied());
             let hint = found.map_or(String::new(), |word| format!("; did you mean {word:?}?"));
-            format!("expected one of {}{hint}", list.join(", "))
+            format!("expected one of {}{hint}", words.join(", "))
         })?;
-        let value = match attribute.takes {
+        let kind = &SETTINGS[row];
+        let value = match kind.takes {
             Takes::Number(range) => {
                 let number = number(text).filter(|number| range.contains(*number));
                 number.map(Value::Number)
@@ -35,33 +110,30 @@ impl Setting {
             Takes::Word(words) => words.contains(&text).then(|| Value::from(text)),
             _ => None,
         };
-        let value = value.ok_or_else(|| {
-            let fraction = match attribute.takes {
-                Takes::Number(Range::Between(..)) => ", or a fraction such as 2/255",
-                _ => "",
-            };
-            format!("expected {}{fraction}", attribute.takes.words())
-        })?;
-        Ok(Self {
-            attribute,
-            value,
-            text: text.split_whitespace().collect(),
-        })
+        let value = value.ok_or_else(|| format!("expected {}", kind.expected()))?;
+        let text = text.split_whitespace().collect();
+        Ok(Self { row, value, text })
     }
 
-    /// The property's word.
+    /// The setting without its value.
+    #[must_use]
+    pub fn kind(&self) -> &'static SettingKind {
+        &SETTINGS[self.row]
+    }
+
+    /// The setting's word.
     #[must_use]
     pub fn word(&self) -> &'static str {
-        self.attribute.word
+        self.kind().word
     }
 
-    /// What it is set to.
+    /// The setting's value.
     #[must_use]
     pub fn value(&self) -> &Value {
         &self.value
     }
 
-    /// The text that it was made from, without blanks, such as `2/255`.
+    /// The text of the value without blanks, such as `2/255`.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text

@@ -1,4 +1,4 @@
-//! What every surface has.
+//! The properties of every surface.
 
 use std::sync::Arc;
 
@@ -11,20 +11,20 @@ use crate::math::Rgb;
 pub struct Common {
     /// Its name, if the scene gives one.
     pub name: Option<String>,
-    /// How it answers light.
+    /// The material.
     pub material: Arc<Material>,
     /// Its part in shadows.
     pub shadows: Shadows,
-    /// Where it stands in the scene file, if it was read from one.
+    /// The position in the scene file, if it was read from one.
     pub location: Option<Location>,
 }
 
 /// A surface's part in shadows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shadows {
-    /// Whether other surfaces can put it into shadow: the chapter's `light_visible` test.
+    /// True if other surfaces can shadow it: the chapter's `light_visible` test.
     pub receive: bool,
-    /// Whether it can put other surfaces into shadow.
+    /// True if it can shadow other surfaces.
     pub cast: bool,
 }
 
@@ -43,19 +43,23 @@ impl Common {
         Attribute::new(
             "material",
             Takes::Name(Reference::Material),
-            "how it answers light",
+            "the material of the surface",
         ),
-        Attribute::new("shadows", Takes::Nothing, "its part in shadows")
+        Attribute::new("shadows", Takes::Nothing, "its shadows")
             .optional()
             .with(&[
-                Attribute::new("receive", Takes::Flag, "whether others can shadow it")
-                    .or(Default::Flag(true)),
-                Attribute::new("cast", Takes::Flag, "whether it can shadow others")
+                Attribute::new(
+                    "receive",
+                    Takes::Flag,
+                    "whether other surfaces cast shadows on it",
+                )
+                .or(Default::Flag(true)),
+                Attribute::new("cast", Takes::Flag, "whether it casts shadows")
                     .or(Default::Flag(true)),
             ]),
     ];
 
-    /// What a surface has that answers no light: a material without colour.
+    /// The properties of a surface that reflects no light: a black material.
     #[must_use]
     pub fn black(name: Option<String>, location: Option<Location>) -> Self {
         let material = Material {
@@ -85,13 +89,13 @@ impl Common {
         }
     }
 
-    /// The share of light that passes straight through where the image has this colour.
+    /// The share of light that passes straight through where the texel has this colour.
     #[must_use]
     pub fn transmits(&self, texel: Rgb) -> Rgb {
-        self.material.filter() * self.material.transparency * texel
+        self.material.tint() * self.material.transparency * texel
     }
 
-    /// Completes a surface's node.
+    /// Adds the common properties to a surface's node.
     #[must_use]
     pub fn describe(&self, mut node: Node) -> Node {
         node.name.clone_from(&self.name);

@@ -1,7 +1,7 @@
 //! Images wrapped around round shapes.
 //!
-//! Longitude 0 is the image's middle column and faces +z; it grows towards +x. At the poles, where
-//! every longitude would do, it is 0.
+//! Longitude 0 is the image's middle column and faces +z; it grows towards +x. At the poles it is
+//! 0.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ use crate::texture::{Filter, TextureMap, Wrap, gettexel};
 pub(super) const ATTRIBUTES: &[Attribute] = &[Attribute::new(
     "texture",
     Takes::Name(Reference::Texture),
-    "an image wrapped around it once: its middle faces +z, its top is at +y",
+    "an image wrapped around it once, with its middle at +z and its top at +y",
 )
 .optional()];
 
@@ -58,7 +58,7 @@ pub(super) fn texel_over(
         }),
     };
     let wraps = [Wrap::Repeat, Wrap::Clamp];
-    image.around(filter, hit.texel, &image.in_texels(spread), wraps)
+    image.filtered_linearly(filter, hit.texel, &image.in_texels(spread), wraps)
 }
 
 /// The unit vector of a hit in the space where the shape is the unit sphere.

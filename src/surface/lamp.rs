@@ -27,7 +27,7 @@ use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes, Va
 use crate::math::exact::Sign;
 use crate::math::{Ray, Rgb};
 
-/// A rectangle or a ball that shines, and is seen to.
+/// A rectangle or a sphere that emits light and is visible.
 #[derive(Debug, Clone)]
 pub struct Lamp {
     common: Common,
@@ -37,13 +37,13 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    /// The most places of a lamp that are asked for its shadow; more the sequence does not have.
+    /// The largest number of sample points: the length of the sequence.
     const MOST_SAMPLES: u32 = 65_536;
 
     /// The `lamp` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "lamp",
-        about: "A rectangle or a ball that shines and is seen; its shadows are soft.",
+        about: "A rectangle or a sphere that emits light and is seen; its shadows are soft.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -51,48 +51,50 @@ impl Lamp {
             Attribute::new(
                 "point",
                 Takes::Triple,
-                "the lower-left corner of a rectangle, which shines on its front",
+                "the lower-left corner of a rectangle, which emits light on its front",
             )
             .unit("world units")
             .optional(),
             Attribute::new(
                 "normal",
                 Takes::Triple,
-                "the direction in which a rectangle shines; any length but zero",
+                "the normal of a rectangle, on the side that emits light; any length except zero",
             )
             .optional(),
             Attribute::new(
                 "xdir",
                 Takes::Triple,
-                "where a rectangle's own x grows; projected into its plane",
+                "direction of a rectangle's own x axis; projected into its plane",
             )
             .optional(),
             Attribute::new(
                 "dimensions",
                 Takes::Pair(Range::Positive),
-                "a rectangle's width along x, height along y",
+                "width of a rectangle along its x axis, height along its y axis",
             )
             .unit("world units")
             .optional(),
-            Attribute::new("center", Takes::Triple, "the centre of a ball")
+            Attribute::new("center", Takes::Triple, "the centre of a sphere")
                 .unit("world units")
                 .optional(),
             Attribute::new(
                 "radius",
                 Takes::Number(Range::Positive),
-                "the radius of a ball",
+                "the radius of a sphere",
             )
             .unit("world units")
             .optional(),
             Attribute::new(
                 "emissivity",
                 Takes::Color,
-                "how bright it is, all over; what it lights fades by its apparent size alone",
+                "brightness, equal at all points; the light on a surface depends on the lamp's \
+                 apparent size, not on `falloff`",
             ),
             Attribute::new(
                 "samples",
                 Takes::Number(Range::Whole(1, Self::MOST_SAMPLES)),
-                "places of it that are asked where its shadow may be soft; powers of two are best",
+                "points on the lamp that are tested where its shadow may be soft; powers of two \
+                 are best",
             )
             .or(Default::Number(64.0)),
         ]],
@@ -135,13 +137,13 @@ impl Lamp {
         self.emissivity
     }
 
-    /// The number of points of the lamp that shadow rays are sent to where its shadow may be soft.
+    /// The number of sample points for shadow rays where the shadow may be soft.
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// The colour that a ray sees where it hits the lamp; the back of a rectangle is black.
+    /// The colour that a ray sees on the lamp; the back of a rectangle is black.
     #[must_use]
     pub fn shows(&self, ray: &Ray) -> Rgb {
         let from_behind = self
@@ -156,7 +158,10 @@ impl Lamp {
     }
 }
 
-/// Returns whether a lamp is a rectangle and not a ball.
+/// Returns whether a lamp is a rectangle and not a sphere.
+///
+/// # Errors
+/// Returns an error if it is neither, both, or incomplete.
 fn is_rectangle(node: &Node) -> Result<bool, ValueError> {
     let given = |words: &[&'static str]| {
         let mut words = words.iter();

@@ -8,7 +8,7 @@ use super::{Lamp, Surface};
 use crate::geometry::{Rectangle, Shape, Sphere};
 use crate::math::{Frame, Point, Side, direction, form_factor};
 
-/// The shapes that a lamp can have.
+/// The shapes of lamps.
 enum Form<'a> {
     Rectangle(&'a Rectangle),
     Ball(&'a Sphere),
@@ -19,8 +19,9 @@ struct LampPoint {
     point: Point,
     /// The unit normal there.
     normal: DVec3,
-    /// The cosine between a ball's surface and its visible disc, whose areas are smaller by it; 1 on a
-    /// rectangle.
+    /// The area of a sphere's visible disc over that of its surface there.
+    ///
+    /// It is the cosine of the angle between them, and 1 on a rectangle.
     cosine: f64,
 }
 
@@ -36,14 +37,13 @@ impl Lamp {
         }
     }
 
-    /// The share of a sky of equal brightness that the lamp gives to a point with this unit normal.
+    /// The share of a full sky's light that the lamp gives to a point, from 0 to 1.
     ///
-    /// From 0 to 1, without occluders.
+    /// The point has this unit normal. Occluders do not count.
     #[must_use]
     pub fn form_factor(&self, place: &Point, normal: DVec3) -> f64 {
-        // Beyond 2¹⁷ times its own size, a lamp counts as a point of light, with an error of 2⁻¹⁷ of
-        // the most that a lamp there can give. Nearer, the sums of angles have an error of 2⁻³⁶,
-        // since they cancel.
+        // Beyond 2¹⁷ times its own size, a lamp counts as a point light, with an error of 2⁻¹⁷ of
+        // the most that it can give there. Nearer, the sums of angles cancel to an error of 2⁻³⁶.
         const FAR: f64 = 131_072.0;
         if self.shape().side(place) != Side::Front {
             return 0.0;
@@ -76,7 +76,7 @@ impl Lamp {
         }
     }
 
-    /// The radius of the ball around the centre that holds the lamp.
+    /// The radius of the bounding sphere around the centre.
     #[must_use]
     pub fn radius(&self) -> f64 {
         match self.form() {
@@ -85,12 +85,12 @@ impl Lamp {
         }
     }
 
-    /// A point of the lamp that a point in front of it sees, and the weight of its light.
+    /// A point of the lamp visible from a point in front of it, and its light's weight.
     ///
-    /// `at` chooses it, from 0 to 1 along two axes: evenly over the area of a rectangle, or over the
-    /// disc of a ball that is visible from afar. The weight is not negative. It stands for the light
-    /// of the piece of lamp around the point, so that visible weight by total weight is the share of
-    /// the *light* that arrives.
+    /// `at` chooses it, from 0 to 1 along two axes: evenly over the area of a rectangle, or over
+    /// the disc of a sphere that is visible from afar. The weight is not negative. It stands for
+    /// the light of the piece of lamp around the point. Visible weight over total weight is
+    /// therefore the share of the *light* that arrives.
     #[must_use]
     pub fn sample(&self, place: &Point, normal: DVec3, at: DVec2) -> (Point, f64) {
         let sampled = match self.form() {
@@ -127,7 +127,7 @@ impl Lamp {
     }
 }
 
-/// The point of a ball that `at` chooses evenly over the disc visible from a place.
+/// The point of a sphere that `at` chooses, evenly over the disc that is visible.
 #[inline]
 fn on_ball(ball: &Sphere, place: &Point, at: DVec2) -> LampPoint {
     let way = place.from(ball.center());
@@ -138,7 +138,7 @@ fn on_ball(ball: &Sphere, place: &Point, at: DVec2) -> LampPoint {
     let (sine, cosine) = ((at.x * seen).sqrt(), (1.0 - at.x * seen).sqrt());
     let turn = 2.0 * PI * at.y;
     let across = frame.x * libm::cos(turn) + frame.y * libm::sin(turn);
-    // A scene turned by half a turn about an axis is sampled at the same points.
+    // A scene rotated by 180° about an axis is sampled at the same points.
     let is_turned = axis.x < 0.0 || axis.x == 0.0 && axis.y * axis.z < 0.0;
     let across = if is_turned { -across } else { across };
     let normal = axis * cosine + across * sine;

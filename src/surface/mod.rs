@@ -1,4 +1,4 @@
-//! Surfaces: a shape, a material, and what covers the shape. **The heart**: [`Surface`].
+//! Surfaces: a shape, a material and a cover; the trait [`Surface`].
 
 mod common;
 mod globe;
@@ -95,8 +95,9 @@ pub trait Surface: Send + Sync + fmt::Debug {
         hit.texel
     }
 
-    /// Bounds of the channels of [`getamb`](Self::getamb) and [`getdiff`](Self::getdiff), in absolute
-    /// values.
+    /// The largest absolute channels of all ambient and diffuse reflectivities.
+    ///
+    /// They bound [`getamb`](Self::getamb) and [`getdiff`](Self::getdiff).
     fn brightest(&self) -> [f64; 2] {
         // No texel is brighter than white.
         let material = &self.common().material;
@@ -109,7 +110,7 @@ pub trait Surface: Send + Sync + fmt::Debug {
     }
 }
 
-/// Lets surfaces in one plane, and neighbours along one border, decide by the same numbers.
+/// Lets surfaces in one plane, and neighbours along a border, decide alike.
 ///
 /// Returns the planes and borders that surfaces share; see [`geometry::share`].
 pub fn share(surfaces: &mut [Box<dyn Surface>]) -> Vec<Shared> {

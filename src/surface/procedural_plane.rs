@@ -26,12 +26,12 @@ pub struct ProceduralPlane {
     shader: Shader,
 }
 
-/// A formula from a place to a colour.
+/// A formula from a point to a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shader {
-    /// Curved stripes that take red or blue away.
+    /// Curved stripes without red or without blue.
     Stripes,
-    /// The three channels as waves around the plane's point, a third of a turn apart.
+    /// The three channels as waves around the plane's point, 120° apart.
     ColorWheel,
 }
 
@@ -69,7 +69,7 @@ impl ProceduralPlane {
     /// The `procedural-plane` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "procedural-plane",
-        about: "An unbounded plane whose ambient colour is a formula of the place.",
+        about: "An unbounded plane with an ambient colour that is a formula of the position.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -79,7 +79,7 @@ impl ProceduralPlane {
             &[Attribute::new(
                 "shader",
                 Takes::Word(&Shader::WORDS),
-                "the formula",
+                "the formula of the colour",
             )],
         ],
     };

@@ -38,19 +38,19 @@ impl Textured {
     pub const ATTRIBUTES: &[Attribute] = &[Attribute::new(
         "texture",
         Takes::Name(Reference::Texture),
-        "the image that it wears",
+        "the image",
     )
     .with(&[
         Attribute::new(
             "mode",
             Takes::Word(&Wrap::WORDS),
-            "stretch the image over the whole surface, or tile it at its own scale",
+            "`clamp` stretches the image over the whole surface, `repeat` tiles it",
         )
         .or(Default::Word(Wrap::Clamp.word())),
         Attribute::new(
             "texel",
             Takes::NumberOrPair(Range::Positive),
-            "with `repeat`: size of a texel; one pixel of the chapter's screen if not given",
+            "size of a texel, with `repeat`; one pixel of the chapter's screen if not given",
         )
         .unit("world units")
         .optional(),
@@ -59,7 +59,7 @@ impl Textured {
     /// The `texture-plane` node of the scene language.
     pub const PLANE: Schema = Schema {
         word: "texture-plane",
-        about: "A rectangle that wears an image; the image multiplies `ambient` and `diffuse`.",
+        about: "A rectangle with an image, which multiplies `ambient` and `diffuse`.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -68,7 +68,7 @@ impl Textured {
 
     /// A rectangle with an image on it.
     ///
-    /// `texel_given` tells whether the scene gives the size of a texel or leaves it to the screen.
+    /// `texel_given` is true if the scene gives the size of a texel; otherwise the screen does.
     #[must_use]
     pub fn plane(
         common: Common,
@@ -118,11 +118,11 @@ impl Textured {
         }
     }
 
-    /// The exact texel, where the error bound of the offset reaches into another one.
+    /// The exact texel, if the error bound of the offset reaches more than one.
     #[cold]
     fn resolve_exactly(&self, rectangle: &Rectangle, hit: &Hit, bound: f64, ray: &Ray) -> Resolved {
         let exact = || rectangle.frame.exact_offset(&rectangle.flat, ray);
-        let uv = self.image.settled(hit.uv, bound, exact);
+        let uv = self.image.snapped(hit.uv, bound, exact);
         let texel = self.image.at(uv);
         Resolved { uv, texel }
     }
@@ -186,6 +186,6 @@ impl Surface for Textured {
             return globe::texel_over(&self.image, &self.shape, hit, beam, filter);
         };
         let footprint = beam.on(flat.point, [frame.x, frame.y], flat.normal);
-        self.image.over(filter, hit.texel, (&footprint, *size))
+        self.image.filtered(filter, hit.texel, &footprint, *size)
     }
 }

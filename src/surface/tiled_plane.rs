@@ -31,7 +31,8 @@ use crate::math::{Frame, Grid, Numerics, Point, Ray, Rgb};
 
 /// An unbounded plane of tiles in two materials, in a checkerboard.
 ///
-/// Ambient and diffuse alternate; mirror, glint and transparency are the main material's.
+/// Ambient and diffuse alternate. Reflection, specular highlight and transparency are those of the
+/// main material.
 #[derive(Debug, Clone)]
 pub struct TiledPlane {
     common: Common,
@@ -45,14 +46,16 @@ pub struct TiledPlane {
     alternate: Arc<Material>,
 }
 
-/// Where the tiles are counted from, and which material comes first.
+/// The first tile, and the material that it has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TileStart {
     /// The plane's point is the lower-left corner of a tile of the main material.
     #[default]
     Point,
-    /// As in the course's programs: from the world's origin, 100,000 added before dividing, the
-    /// main material where the tile numbers add up to an odd number.
+    /// Tiles as in the course's programs, from the world's origin.
+    ///
+    /// The programs add 100,000 before they divide. The tiles whose numbers have an odd sum are of
+    /// the main material.
     Course,
 }
 
@@ -62,8 +65,9 @@ words!(TileStart {
 });
 
 impl TileStart {
-    /// What the course's programs add to a coordinate before they divide it, so that it is not
-    /// below zero, where truncation would make a tile twice as wide.
+    /// The number that the course's programs add to a coordinate before they divide it.
+    ///
+    /// Below zero, truncation would make a tile twice as wide.
     pub(super) const BIG: f64 = 100_000.0;
 }
 
@@ -71,7 +75,7 @@ impl TiledPlane {
     /// The `tiled-plane` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "tiled-plane",
-        about: "An unbounded plane of tiles in two materials, in a checkerboard.",
+        about: "An unbounded checkerboard of tiles in two materials.",
         naming: Naming::Optional,
         value: None,
         properties: &[],
@@ -80,17 +84,18 @@ impl TiledPlane {
             &[Attribute::new(
                 "alternate",
                 Takes::Name(Reference::Material),
-                "the material of every other tile; its ambient and diffuse count",
+                "the material of every other tile; only its `ambient` and `diffuse` are used",
             )],
             Plane::ATTRIBUTES,
             &[
-                Attribute::new("xdir", Takes::Triple, "where a row of tiles runs"),
+                Attribute::new("xdir", Takes::Triple, "direction of a row of tiles"),
                 Attribute::new("dimensions", Takes::Pair(Range::Positive), "size of a tile")
                     .unit("world units"),
                 Attribute::new(
                     "start",
                     Takes::Word(&TileStart::WORDS),
-                    "count tiles from `point`, or as the course's programs did",
+                    "origin of the tiles: `point`, or the world's origin as in the course's \
+                     programs",
                 )
                 .or(Default::Word(TileStart::Point.word())),
             ],
@@ -100,8 +105,8 @@ impl TiledPlane {
     /// A plane of tiles of this size along `xdir`.
     ///
     /// # Errors
-    /// Returns an error for an `xdir` that is zero or parallel to the normal, and for a size that is
-    /// not above zero.
+    /// Returns an error for an `xdir` that is zero or parallel to the normal, and for a size that
+    /// is not above zero.
     pub fn new(
         common: Common,
         plane: Plane,
@@ -130,7 +135,7 @@ impl TiledPlane {
         })
     }
 
-    /// The numbers of the tile at a hit, exactly; those of the course's programs are rounded.
+    /// The exact numbers of the tile at a hit; rounded as in the course's programs.
     fn tile_at(&self, hit: &Hit, ray: &Ray) -> DVec2 {
         let along = |vector: DVec3| DVec2::new(self.frame.x.dot(vector), self.frame.y.dot(vector));
         let Some(flat) = self.shape.carrier() else {
@@ -176,7 +181,7 @@ impl TiledPlane {
 
     /// The colour of the material at a resolved hit.
     ///
-    /// Beyond 2⁵³ tiles no double tells the tile, and the colour is the mean of both.
+    /// Beyond 2⁵³ tiles a double cannot hold the number, and the colour is the mean of both.
     fn color_at(&self, hit: &Hit, color: impl Fn(&Material) -> Rgb) -> Rgb {
         let (main, alternate) = (color(&self.common.material), color(&self.alternate));
         let tile = hit.uv;

@@ -1,34 +1,36 @@
-//! Along the longer axis of what a pixel covers.
+//! Anisotropic filtering.
 
+use super::Wrap;
+use super::bilinear::Image;
 use super::pyramid::Pyramid;
-use super::{Texture, Wrap};
 use crate::math::{Rgb, Spread};
 
-/// The most places that one pixel looks at.
+/// The most mipmap lookups for one pixel.
 const MOST_PROBES: f64 = 16.0;
 
-/// The mean of some places along the longer axis of a footprint, each as large as the shorter axis,
-/// or larger where that would be more than 16 of them (after `McCormack` and others 1999, "Feline: Fast
-/// Elliptical Lines for Anisotropic Texture Mapping").
+/// The mean of mipmap lookups along the longer axis of a footprint.
+///
+/// Each covers the shorter axis, or more if that would take above 16 lookups (`McCormack` et al.
+/// 1999, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping"). `None` if the footprint
+/// is not finite, as it can be between curved mirrors.
 pub(super) fn anisotropic(
     pyramid: &Pyramid,
-    texture: &Texture,
-    spread: &Spread,
+    base: &impl Image,
+    footprint: &Spread,
     wraps: [Wrap; 2],
-) -> Rgb {
-    let (axis, short) = spread.axes();
+) -> Option<Rgb> {
+    let (axis, short) = footprint.axes();
     let long = axis.length();
-    // Between curved mirrors a beam can spread beyond all numbers.
     if !long.is_finite() {
-        return texture.mean();
+        return None;
     }
     let probes = (long / short.max(1.0)).ceil().clamp(1.0, MOST_PROBES);
     let size = short.max(long / probes);
     let (mut sum, mut number) = (Rgb::BLACK, 0.0);
     while number < probes {
-        let place = spread.place + axis * ((number + 0.5) / probes - 0.5);
-        sum += pyramid.at(texture, place, size, wraps);
+        let position = footprint.place + axis * ((number + 0.5) / probes - 0.5);
+        sum += pyramid.at(base, position, size, wraps);
         number += 1.0;
     }
-    sum / probes
+    Some(sum / probes)
 }

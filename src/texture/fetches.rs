@@ -1,4 +1,4 @@
-//! How many texels were fetched: a count that every thread keeps for itself.
+//! Counts of texel fetches, one for each thread.
 
 use std::cell::Cell;
 
@@ -6,17 +6,16 @@ thread_local! {
     static FETCHED: Cell<u64> = const { Cell::new(0) };
 }
 
-/// All texels that this thread has fetched so far.
+/// The number of texels that the current thread has fetched.
 ///
-/// They are counted where they are fetched, however deep in a surface, a shadow or a slide that is,
-/// and however many of them a filter takes for one colour.
+/// It counts each texel of a filter, for surfaces, shadows and slides alike.
 #[must_use]
 pub fn fetched_by_this_thread() -> u64 {
     FETCHED.get()
 }
 
-/// Notes that so many texels were fetched.
+/// Adds to the number of texels that the current thread has fetched.
 #[inline]
-pub(super) fn note(count: u64) {
+pub(super) fn add_fetches(count: u64) {
     FETCHED.set(FETCHED.get() + count);
 }

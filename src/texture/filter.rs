@@ -1,21 +1,22 @@
-//! How the texels that a pixel covers become one colour.
+//! Texture filters.
 
 use crate::language::words;
 
-/// What is seen of a texture in a pixel.
+/// The filter from the texels in a pixel's footprint to one colour.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Filter {
-    /// The texel that the ray meets: the chapter's.
+    /// The texel at the hit point, as in the chapter.
     #[default]
     Nearest,
-    /// Between the four texels whose middles are nearest.
+    /// Interpolation between the four nearest texel centres.
     Bilinear,
-    /// As large as what the pixel covers, from a pyramid of smaller images (Williams 1983, "Pyramidal
-    /// Parametrics").
+    /// Trilinear interpolation in a mip pyramid.
+    ///
+    /// Source: Williams 1983, "Pyramidal Parametrics".
     Mipmap,
-    /// Several such colours along the longer axis of what the pixel covers.
+    /// The mean of mipmap lookups along the longer axis of the footprint.
     Anisotropic,
-    /// The mean over the area that the pixel covers.
+    /// The mean over the area of the footprint.
     Exact,
 }
 

@@ -1,4 +1,4 @@
-//! How a texture lies on a rectangle.
+//! Placement of a texture on a rectangle.
 
 use std::sync::Arc;
 
@@ -13,21 +13,21 @@ use super::{Filter, Texture, Wrap};
 use crate::math::exact::decimal;
 use crate::math::{Footprint, Grid, Rgb, Spread};
 
-/// A texture laid over a rectangle, upright, with its lower-left corner at the rectangle's.
+/// A texture on a rectangle, upright from the rectangle's lower-left corner.
 #[derive(Debug, Clone)]
 pub struct TextureMap {
-    /// The image.
+    /// The texture.
     pub texture: Arc<Texture>,
     /// CLAMP or REPEAT.
     pub wrap: Wrap,
-    /// The world size of what is mapped: the whole image for CLAMP, one texel for REPEAT.
+    /// The world size of the whole image for CLAMP, of one texel for REPEAT.
     pub size: DVec2,
     /// The borders of the texels along x and y.
     grids: [Grid; 2],
 }
 
 impl TextureMap {
-    /// The chapter's CLAMP: the image is stretched to fill a rectangle of this world size.
+    /// The chapter's CLAMP: the image fills a rectangle of a world size.
     #[must_use]
     pub fn clamp(texture: Arc<Texture>, size: DVec2) -> Self {
         let (width, height) = (texture.texels.width, texture.texels.height);
@@ -40,7 +40,7 @@ impl TextureMap {
         }
     }
 
-    /// The chapter's REPEAT: texels of this world size, the image tiled over the rectangle.
+    /// The chapter's REPEAT: texels have a world size, and the image repeats.
     #[must_use]
     pub fn repeat(texture: Arc<Texture>, texel: DVec2) -> Self {
         Self {
@@ -58,97 +58,99 @@ impl TextureMap {
         self.texel([x.cell(offset.x), y.cell(offset.y)])
     }
 
-    /// The colour at an offset that may be off by as much as `doubt`, if that leaves no doubt.
+    /// The colour at an offset with an error bound; `None` if the texel is uncertain.
     #[must_use]
     #[inline(always)]
-    pub fn certain_texel(&self, offset: DVec2, doubt: f64) -> Option<Rgb> {
+    pub fn certain_texel(&self, offset: DVec2, error: f64) -> Option<Rgb> {
         let [x, y] = &self.grids;
-        let column = x.certain_cell(offset.x, doubt)?;
-        let row = y.certain_cell(offset.y, doubt)?;
+        let column = x.certain_cell(offset.x, error)?;
+        let row = y.certain_cell(offset.y, error)?;
         Some(self.texel([column, row]))
     }
 
-    /// An offset that is off by at most `doubt`, moved as little as possible into the texel that the
-    /// `exact` one is in.
+    /// The nearest offset in the texel of the exact offset.
     #[must_use]
-    pub fn settled(
+    pub fn snapped(
         &self,
         offset: DVec2,
-        doubt: f64,
+        error: f64,
         exact: impl Fn() -> Option<[RBig; 2]>,
     ) -> DVec2 {
         let [x, y] = &self.grids;
         let along = |axis: usize| exact().map_or(RBig::ZERO, |[x, y]| [x, y][axis].clone());
         DVec2::new(
-            x.settled(offset.x, doubt, || along(0)),
-            y.settled(offset.y, doubt, || along(1)),
+            x.settled(offset.x, error, || along(0)),
+            y.settled(offset.y, error, || along(1)),
         )
     }
 
-    /// The colour of what a pixel covers of a rectangle of this size that wears the texture, by any
-    /// filter; `nearest` is the texel in its middle.
+    /// The filtered colour of a footprint on a rectangle of a world size.
+    ///
+    /// `nearest` is the colour of the texel at the hit point.
     #[must_use]
-    pub fn over(
+    pub fn filtered(
         &self,
         filter: Filter,
         nearest: Rgb,
-        (footprint, size): (&Footprint, DVec2),
+        footprint: &Footprint,
+        size: DVec2,
     ) -> Rgb {
         let texel = self.texel_size();
-        if filter == Filter::Exact {
-            let footprint = footprint.over(texel);
-            return self.mean_over(nearest, &footprint, size / texel);
+        let size = size / texel;
+        // Beyond this size a double does not identify the texels of the footprint.
+        let is_exact = size.max_element() < Grid::MOST_CELLS / 1024.0;
+        match filter {
+            Filter::Exact if is_exact => {
+                let mean = area::mean(self.texture.sums(), &footprint.over(texel), size);
+                mean.unwrap_or(nearest)
+            }
+            Filter::Exact => {
+                let linear = footprint.over(texel).spread();
+                self.filtered_linearly(filter, nearest, &linear, [self.wrap; 2])
+            }
+            _ => {
+                let linear = self.in_texels(footprint.spread());
+                self.filtered_linearly(filter, nearest, &linear, [self.wrap; 2])
+            }
         }
-        let spread = self.in_texels(footprint.spread());
-        self.around(filter, nearest, &spread, [self.wrap; 2])
     }
 
-    /// The mean over what a pixel covers of a rectangle, in texels. Of one texel that is its colour, and if
-    /// nothing is covered, the texel in the middle.
-    fn mean_over(&self, nearest: Rgb, footprint: &Footprint, size: DVec2) -> Rgb {
-        // Out there no double says which texels are covered.
-        if size.max_element() >= Grid::MOST_CELLS / 1024.0 {
-            let spread = footprint.spread();
-            return self.around(Filter::Anisotropic, nearest, &spread, [self.wrap; 2]);
-        }
-        let sums = self.texture.sums();
-        area::mean(sums, footprint, size).unwrap_or(nearest)
-    }
-
-    /// The colour around a place in texels by a filter that looks at a footprint's middle and its
-    /// steps; where the whole footprint would have to be known, along its longer axis.
+    /// The filtered colour of a linear footprint in texels.
+    ///
+    /// [`Filter::Exact`] needs a projective footprint and falls back to the anisotropic filter.
     #[must_use]
-    pub fn around(&self, filter: Filter, nearest: Rgb, spread: &Spread, wraps: [Wrap; 2]) -> Rgb {
+    pub fn filtered_linearly(
+        &self,
+        filter: Filter,
+        nearest: Rgb,
+        footprint: &Spread,
+        wraps: [Wrap; 2],
+    ) -> Rgb {
         let texture = &*self.texture;
-        // Out there no double says where a texel's middle is.
-        let place = spread.place;
-        let reaches = |it: f64| it.abs() < Grid::MOST_CELLS / 4.0;
-        let is_within = reaches(place.x) && reaches(place.y);
-        if filter != Filter::Nearest && !is_within {
+        let position = footprint.place;
+        // Farther out a double does not identify the centre of a texel.
+        let is_near = |coordinate: f64| coordinate.abs() < Grid::MOST_CELLS / 4.0;
+        if filter != Filter::Nearest && !(is_near(position.x) && is_near(position.y)) {
             return texture.mean();
         }
         match filter {
             Filter::Nearest => nearest,
-            Filter::Bilinear => {
-                let sides = [texture.texels.width, texture.texels.height];
-                bilinear(place, sides, wraps, |column, row| {
-                    texture.texel_upwards(column, row)
-                })
-            }
+            Filter::Bilinear => bilinear(texture, position, wraps),
             Filter::Mipmap => {
-                let size = longer_step(spread);
-                texture.pyramid().at(texture, place, size, wraps)
+                let size = longer_step(footprint);
+                texture.pyramid().at(texture, position, size, wraps)
             }
             Filter::Anisotropic | Filter::Exact => {
-                anisotropic(texture.pyramid(), texture, spread, wraps)
+                let color = anisotropic(texture.pyramid(), texture, footprint, wraps);
+                color.unwrap_or_else(|| texture.mean())
             }
         }
     }
 
-    /// A footprint in world units, in texels.
+    /// A footprint in texels, from one in world units.
     #[must_use]
-    pub fn in_texels(&self, spread: Spread) -> Spread {
-        spread.over(self.texel_size())
+    pub fn in_texels(&self, footprint: Spread) -> Spread {
+        footprint.over(self.texel_size())
     }
 
     /// The world size of a texel.
@@ -159,16 +161,16 @@ impl TextureMap {
 
     /// The colour of a texel counted from the lower-left one.
     ///
-    /// Beyond 2⁵³ texels no double says which one it is, and the mean colour of all is seen.
+    /// Beyond 2⁵³ texels a double does not identify the texel, and the mean colour is returned.
     #[inline(always)]
     fn texel(&self, [column, row]: [f64; 2]) -> Rgb {
         let (width, height) = (self.texture.texels.width, self.texture.texels.height);
-        let is_lost = |place: f64| place.abs() >= Grid::MOST_CELLS;
-        if self.wrap == Wrap::Repeat && (is_lost(column) || is_lost(row)) {
+        let is_unknown = |texel: f64| texel.abs() >= Grid::MOST_CELLS;
+        if self.wrap == Wrap::Repeat && (is_unknown(column) || is_unknown(row)) {
             return self.texture.mean();
         }
         let column = self.wrap.index(column, width);
-        // Images are stored from the top, offsets are counted from the bottom.
+        // Texels are stored from the top, offsets count from the bottom.
         let row = height - 1 - self.wrap.index(row, height);
         self.texture.texel(column, row)
     }
@@ -214,9 +216,9 @@ mod tests {
         assert_eq!(column_and_row(&map, 3.9, 1.1), (1.0, 1.0));
     }
 
-    /// Between curved mirrors beams spread beyond all numbers.
+    /// Between curved mirrors a footprint can become infinite.
     #[test]
-    fn a_footprint_of_no_numbers_has_a_colour() {
+    fn a_footprint_that_is_not_finite_has_a_colour() {
         let size = DVec2::new(8.0, 2.0);
         let map = TextureMap::clamp(numbered(4, 4), size);
         let odd = [0.0, 1.0, 1e160, 1e300, f64::INFINITY, f64::NAN];
@@ -235,8 +237,8 @@ mod tests {
                     steps: [DVec3::new(right, up, 0.0), DVec3::new(up, 0.0, right)],
                 };
                 for color in [
-                    map.around(filter, Rgb::BLACK, &spread, wraps),
-                    map.over(filter, Rgb::BLACK, (&footprint, size)),
+                    map.filtered_linearly(filter, Rgb::BLACK, &spread, wraps),
+                    map.filtered(filter, Rgb::BLACK, &footprint, size),
                 ] {
                     let is_color = |it: f64| (0.0..=1.0).contains(&it);
                     assert!(

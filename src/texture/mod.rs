@@ -1,4 +1,4 @@
-//! Images laid over surfaces.
+//! Images laid over surfaces, and their filters.
 
 mod anisotropic;
 mod area;
@@ -8,17 +8,18 @@ mod decode;
 mod fetches;
 mod filter;
 mod map;
-mod pnm;
 mod polygon;
 mod pyramid;
-mod sums;
+mod summed_area;
+mod texels;
 mod wrap;
 
 pub use classic::{gettexel, texture_map};
-pub use decode::{DecodeError, ImageFileError, LONGEST_SIDE, MOST_TEXELS, check, decode};
+pub use decode::{check, decode};
 pub use fetches::fetched_by_this_thread;
 pub use filter::Filter;
 pub use map::TextureMap;
+pub use texels::Texels;
 pub use wrap::Wrap;
 
 use std::path::PathBuf;
@@ -26,49 +27,38 @@ use std::sync::OnceLock;
 
 use crate::language::{Attribute, Default, Naming, Node, Range, Schema, Takes};
 use crate::math::Rgb;
+use bilinear::Image;
 use pyramid::Pyramid;
-use sums::Sums;
+use summed_area::SummedAreaTable;
 
-/// The chapter's `texture_t`: the texels of one image, and how to look one up.
+/// The chapter's `texture_t`: the texels of an image, and their colours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
     /// The name that surfaces use.
     pub name: String,
     /// The file as the scene names it.
     pub file: String,
-    /// The file that was read.
+    /// The path of the file.
     pub path: PathBuf,
     /// The texels.
     pub texels: Texels,
     divisor: f64,
-    /// What a channel is divided by.
+    /// The channel value of intensity 1.
     unit: f64,
-    /// The intensity of every value that a channel can have.
+    /// The intensity of each channel value.
     intensities: Vec<f64>,
     mean: Rgb,
-    /// Made when a filter first asks for it.
+    /// Made for the first filter that needs it.
     pyramid: OnceLock<Pyramid>,
-    sums: OnceLock<Sums>,
-}
-
-/// The texels of an image, row by row from the top.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Texels {
-    /// Texels in a row; at least 1.
-    pub width: usize,
-    /// Rows; at least 1.
-    pub height: usize,
-    /// Red, green and blue of each texel.
-    pub channels: Vec<[u16; 3]>,
-    /// Whether the channels have 16 bits instead of 8.
-    pub deep: bool,
+    /// Made for the first filter that needs it.
+    sums: OnceLock<SummedAreaTable>,
 }
 
 impl Texture {
     /// The `texture` node of the scene language.
     pub const SCHEMA: Schema = Schema {
         word: "texture",
-        about: "An image file that surfaces can wear.",
+        about: "An image file for surfaces.",
         naming: Naming::Required,
         value: Some(&Attribute::new(
             "file",
@@ -78,15 +68,15 @@ impl Texture {
         properties: &[Attribute::new(
             "divisor",
             Takes::Number(Range::Between(255.0, 256.0)),
-            "what an 8-bit channel is divided by; 256 is the course preset's",
+            "divisor of an 8-bit channel; 256 in the course preset",
         )
         .or(Default::Number(255.0))],
         attributes: &[],
     };
 
-    /// A texture of these texels, read from a file that the scene calls `file`.
+    /// A texture of texels from a file that the scene calls `file`.
     ///
-    /// `divisor` is what an 8-bit channel is divided by: 255, or 256 as in the course's programs.
+    /// `divisor` is the divisor of an 8-bit channel: 255, or 256 as in the course's programs.
     #[must_use]
     pub fn new(name: &str, file: &str, path: PathBuf, texels: Texels, divisor: f64) -> Self {
         const SIXTEEN_BITS_PER_EIGHT: f64 = 257.0;
@@ -95,20 +85,16 @@ impl Texture {
         } else {
             (u16::from(u8::MAX), divisor)
         };
-        let intensities = (0..=largest)
-            .map(|channel| f64::from(channel) / unit)
-            .collect();
-        let mean = mean(&texels) / unit;
-        let (name, file) = (name.to_owned(), file.to_owned());
+        let intensity = |channel: u16| f64::from(channel) / unit;
         Self {
-            name,
-            file,
+            name: name.to_owned(),
+            file: file.to_owned(),
             path,
-            texels,
             divisor,
             unit,
-            intensities,
-            mean,
+            intensities: (0..=largest).map(intensity).collect(),
+            mean: texels.mean() / unit,
+            texels,
             pyramid: OnceLock::new(),
             sums: OnceLock::new(),
         }
@@ -121,29 +107,23 @@ impl Texture {
     #[must_use]
     #[inline]
     pub fn texel(&self, column: usize, row: usize) -> Rgb {
-        fetches::note(1);
-        self.color(column, row)
+        fetches::add_fetches(1);
+        self.color_from_top(column, row)
     }
 
-    fn color(&self, column: usize, row: usize) -> Rgb {
+    fn color_from_top(&self, column: usize, row: usize) -> Rgb {
         let [r, g, b] = self.texels.channels[row * self.texels.width + column];
         let intensity = |channel| self.intensities[usize::from(channel)];
         Rgb::new(intensity(r), intensity(g), intensity(b))
     }
 
-    /// The same as [`texel_upwards`](Self::texel_upwards), for what is made once and no picture's work.
-    fn uncounted(&self, column: usize, row: usize) -> Rgb {
-        self.color(column, self.texels.height - 1 - row)
-    }
-
-    /// The colour of a texel; column from the left, row from the bottom.
-    fn texel_upwards(&self, column: usize, row: usize) -> Rgb {
-        // Images are stored from the top.
-        self.texel(column, self.texels.height - 1 - row)
-    }
-
     fn pyramid(&self) -> &Pyramid {
         self.pyramid.get_or_init(|| Pyramid::new(self))
+    }
+
+    fn sums(&self) -> &SummedAreaTable {
+        let new = || SummedAreaTable::new(&self.texels, self.unit);
+        self.sums.get_or_init(new)
     }
 
     /// The mean colour of all texels.
@@ -161,13 +141,12 @@ impl Texture {
     }
 }
 
-/// The mean channels of all texels.
-fn mean(texels: &Texels) -> Rgb {
-    // At most 2^28 texels of 16 bits, so the sums are whole numbers that fit.
-    let sum = texels.channels.iter().fold([0u64; 3], |sum, texel| {
-        std::array::from_fn(|channel| sum[channel] + u64::from(texel[channel]))
-    });
-    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    let ([r, g, b], count) = (sum.map(|sum| sum as f64), texels.channels.len() as f64);
-    Rgb::new(r, g, b) / count
+impl Image for Texture {
+    fn sides(&self) -> [usize; 2] {
+        [self.texels.width, self.texels.height]
+    }
+
+    fn color(&self, column: usize, row: usize) -> Rgb {
+        self.color_from_top(column, self.texels.height - 1 - row)
+    }
 }

@@ -1,4 +1,4 @@
-//! What of a pixel shows a rectangle.
+//! The part of a pixel that shows a rectangle.
 
 use glam::{DVec2, DVec3};
 
@@ -7,9 +7,9 @@ use crate::math::Footprint;
 /// A corner of a part of a pixel.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Corner {
-    /// The place in the pixel, a square of side 1 around the origin.
-    pub(super) place: DVec2,
-    /// The image of it on the plane, times its last coordinate.
+    /// Position in the pixel, a square of side 1 around the origin.
+    position: DVec2,
+    /// Its image on the plane in homogeneous coordinates.
     pub(super) image: DVec3,
 }
 
@@ -21,33 +21,34 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// A square has four corners, and each line that cuts it adds one at most.
+    /// The most corners: a square has four, and each of six clips adds at most one.
     const MOST: usize = 4 + 4 + 2;
 
     /// The whole pixel.
     fn square(footprint: &Footprint) -> Self {
         let mut corners = [Corner::default(); Self::MOST];
-        let around = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
-        for (corner, place) in corners.iter_mut().zip(around) {
-            let place = DVec2::from(place);
-            let image = footprint.image(place);
-            *corner = Corner { place, image };
+        let square = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
+        for (corner, position) in corners.iter_mut().zip(square) {
+            let position = DVec2::from(position);
+            let image = footprint.image(position);
+            *corner = Corner { position, image };
         }
         Self { corners, count: 4 }
     }
 
-    /// The part of a pixel that shows the rectangle from the origin to a corner.
+    /// The part of a pixel that shows the rectangle from the origin to `size`.
     pub(super) fn showing(footprint: &Footprint, size: DVec2) -> Self {
         Self::square(footprint)
-            .cut(|image| image.x)
-            .cut(|image| image.y)
-            .cut(|image| size.x * image.z - image.x)
-            .cut(|image| size.y * image.z - image.y)
+            .clipped(|image| image.x)
+            .clipped(|image| image.y)
+            .clipped(|image| size.x * image.z - image.x)
+            .clipped(|image| size.y * image.z - image.y)
     }
 
-    /// The part in which a linear function of the image is not below zero (Sutherland and Hodgman
-    /// 1974, "Reentrant Polygon Clipping").
-    pub(super) fn cut(self, height: impl Fn(DVec3) -> f64) -> Self {
+    /// The part in which a linear function of the image is not negative.
+    ///
+    /// Source: Sutherland and Hodgman 1974, "Reentrant Polygon Clipping".
+    pub(super) fn clipped(self, height: impl Fn(DVec3) -> f64) -> Self {
         let mut corners = self.corners().iter();
         if corners.all(|corner| height(corner.image) >= 0.0) {
             return self;
@@ -64,10 +65,10 @@ impl Polygon {
         for to in self.corners() {
             let to_height = height(to.image);
             if (from_height >= 0.0) != (to_height >= 0.0) {
-                let share = from_height / (from_height - to_height);
+                let fraction = from_height / (from_height - to_height);
                 part.push(Corner {
-                    place: from.place + (to.place - from.place) * share,
-                    image: from.image + (to.image - from.image) * share,
+                    position: from.position + (to.position - from.position) * fraction,
+                    image: from.image + (to.image - from.image) * fraction,
                 });
             }
             if to_height >= 0.0 {
@@ -78,38 +79,40 @@ impl Polygon {
         part
     }
 
-    /// Adds a corner; rounding cannot make more than there may be that matter.
+    /// Adds a corner.
+    ///
+    /// Corners beyond [`MOST`](Self::MOST) arise from rounding and do not matter.
     fn push(&mut self, corner: Corner) {
-        if let Some(place) = self.corners.get_mut(self.count) {
-            *place = corner;
+        if let Some(free) = self.corners.get_mut(self.count) {
+            *free = corner;
             self.count += 1;
         }
     }
 
-    /// Its corners in order.
+    /// The corners in order.
     pub(super) fn corners(&self) -> &[Corner] {
         &self.corners[..self.count]
     }
 
-    /// The share of the pixel.
+    /// Its area, as a fraction of the pixel.
     pub(super) fn area(&self) -> f64 {
-        area(self.corners().iter().map(|corner| corner.place))
+        area(self.corners().iter().map(|corner| corner.position))
     }
 
-    /// Where its corners lie on the plane.
-    pub(super) fn places(&self) -> impl Iterator<Item = DVec2> + Clone {
+    /// The positions of its corners on the plane.
+    pub(super) fn images(&self) -> impl Iterator<Item = DVec2> + Clone {
         let images = self.corners().iter().map(|corner| corner.image);
         images.map(|image| image.truncate() / image.z)
     }
 }
 
-/// The area of a polygon; below zero if its corners go around clockwise.
+/// The area of a polygon, negative if its corners run clockwise.
 pub(super) fn area(corners: impl Iterator<Item = DVec2> + Clone) -> f64 {
-    // From its first corner, so that a polygon far away is not lost in rounding.
+    // Differences to the first corner keep the precision of a polygon far from the origin.
     let Some(first) = corners.clone().next() else {
         return 0.0;
     };
-    let ways = corners.map(|corner| corner - first);
-    let pairs = ways.clone().zip(ways.skip(1));
+    let edges = corners.map(|corner| corner - first);
+    let pairs = edges.clone().zip(edges.skip(1));
     pairs.map(|(from, to)| from.perp_dot(to)).sum::<f64>() / 2.0
 }

@@ -1,42 +1,42 @@
-//! Smaller and smaller images of a texture.
+//! Mip pyramids.
 
 use glam::DVec2;
 
-use super::bilinear::{between, bilinear};
-use super::fetches::note;
-use super::{Texels, Texture, Wrap};
+use super::Wrap;
+use super::bilinear::{Image, bilinear, interpolated};
 use crate::math::{Rgb, Spread};
 
-/// A texture's images of half its sides, a quarter and so on, down to one texel.
+/// The images of half a texture's sides, a quarter and so on, down to one texel.
 ///
-/// Sides are rounded down. Where one is odd, three texels go into one, each with the share of it that
-/// it covers (Guthe and Heckbert 2005, "Non-Power-of-Two Mipmapping"), so every image has the
-/// same mean.
+/// Odd sides are rounded down. Three texels then contribute to one, weighted by the part of it
+/// that they cover, so all images have the same mean (Guthe and Heckbert 2005, "Non-Power-of-Two
+/// Mipmapping").
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pyramid {
-    /// From the largest on.
-    images: Vec<Image>,
+    /// The levels, largest first.
+    levels: Vec<Level>,
 }
 
 /// An image, row by row from the bottom.
 #[derive(Debug, Clone, PartialEq)]
-struct Image {
+struct Level {
     sides: [usize; 2],
     colors: Vec<Rgb>,
 }
 
-impl Image {
-    /// An image of half the sides, of what `texel` says.
-    fn halved(sides: [usize; 2], texel: impl Fn(usize, usize) -> Rgb) -> Self {
+impl Level {
+    /// An image of half the sides of another.
+    fn half_of(image: &impl Image) -> Self {
+        let sides = image.sides();
         let [width, height] = sides.map(|side| (side / 2).max(1));
-        let [columns, rows] = sides.map(shares);
+        let [columns, rows] = sides.map(weights);
         let mut colors = Vec::with_capacity(width * height);
         for row in &rows {
             for column in &columns {
                 let mut color = Rgb::BLACK;
-                for (row, high) in row.iter().filter(|(_, share)| *share > 0.0) {
-                    for (column, wide) in column.iter().filter(|(_, share)| *share > 0.0) {
-                        color += texel(*column, *row) * (high * wide);
+                for (row, high) in row.iter().filter(|(_, weight)| *weight > 0.0) {
+                    for (column, wide) in column.iter().filter(|(_, weight)| *weight > 0.0) {
+                        color += image.color(*column, *row) * (high * wide);
                     }
                 }
                 colors.push(color);
@@ -47,53 +47,65 @@ impl Image {
             colors,
         }
     }
+}
 
-    fn texel(&self, column: usize, row: usize) -> Rgb {
+impl Image for Level {
+    fn sides(&self) -> [usize; 2] {
+        self.sides
+    }
+
+    fn color(&self, column: usize, row: usize) -> Rgb {
         self.colors[row * self.sides[0] + column]
     }
 }
 
-/// For each texel along a halved side, up to three of the side's own and their shares.
+/// For each texel along a halved side, three texels of the side and their weights.
 #[expect(clippy::cast_precision_loss, reason = "sides are short")]
-fn shares(side: usize) -> Vec<[(usize, f64); 3]> {
+fn weights(side: usize) -> Vec<[(usize, f64); 3]> {
     let half = side / 2;
     if half == 0 {
         return vec![[(0, 1.0), (0, 0.0), (0, 0.0)]];
     }
-    let shares = |number: usize| {
+    let weights = |number: usize| {
         let weights = if side.is_multiple_of(2) {
             [0.5, 0.5, 0.0]
         } else {
             [half - number, half, number + 1].map(|part| part as f64 / side as f64)
         };
-        let texel = |place: usize| (2 * number + place, weights[place]);
-        [texel(0), texel(1), texel(2)]
+        [0, 1, 2].map(|texel| (2 * number + texel, weights[texel]))
     };
-    (0..half).map(shares).collect()
+    (0..half).map(weights).collect()
 }
 
 impl Pyramid {
-    pub(super) fn new(texture: &Texture) -> Self {
-        let Texels { width, height, .. } = texture.texels;
-        let mut images: Vec<Image> = Vec::new();
-        let mut sides = [width, height];
+    pub(super) fn new(base: &impl Image) -> Self {
+        let mut levels: Vec<Level> = Vec::new();
+        let mut sides = base.sides();
         while sides != [1, 1] {
-            let next = match images.last() {
-                None => Image::halved(sides, |column, row| texture.uncounted(column, row)),
-                Some(last) => Image::halved(sides, |column, row| last.texel(column, row)),
+            let next = match levels.last() {
+                None => Level::half_of(base),
+                Some(last) => Level::half_of(last),
             };
             sides = next.sides;
-            images.push(next);
+            levels.push(next);
         }
-        Self { images }
+        Self { levels }
     }
 
-    /// The colour at a place in texels of the texture, of things as large as this many texels: between
-    /// the images whose texels are next to that.
-    pub(super) fn at(&self, texture: &Texture, place: DVec2, size: f64, wraps: [Wrap; 2]) -> Rgb {
-        #[expect(clippy::cast_precision_loss, reason = "there are few images")]
-        let last = self.images.len() as f64;
-        // Of a size that no number can tell, there is only the mean; log2(0) is below all levels.
+    /// The colour at a position by trilinear interpolation.
+    ///
+    /// Position and `size`, the diameter of the footprint, are in texels of `base`, the image that
+    /// the pyramid was made from.
+    pub(super) fn at(
+        &self,
+        base: &impl Image,
+        position: DVec2,
+        size: f64,
+        wraps: [Wrap; 2],
+    ) -> Rgb {
+        #[expect(clippy::cast_precision_loss, reason = "there are few levels")]
+        let last = self.levels.len() as f64;
+        // A NaN size takes the last level, which holds the mean. log2(0) is below all levels.
         let level = libm::log2(size);
         let level = if level.is_nan() {
             last
@@ -104,45 +116,43 @@ impl Pyramid {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "from 0 to the number of images"
+            reason = "from 0 to the number of levels"
         )]
         let number = low as usize;
-        let fine = self.bilinear(texture, number, place, wraps);
+        let fine = self.bilinear(base, number, position, wraps);
         if level > low {
-            let coarse = self.bilinear(texture, number + 1, place, wraps);
-            return between(fine, coarse, level - low);
+            let coarse = self.bilinear(base, number + 1, position, wraps);
+            return interpolated(fine, coarse, level - low);
         }
         fine
     }
 
-    /// The colour in the texture itself, or in one of the images, counted from 1.
-    fn bilinear(&self, texture: &Texture, level: usize, place: DVec2, wraps: [Wrap; 2]) -> Rgb {
-        let whole = [texture.texels.width, texture.texels.height];
-        let Some(image) = level.checked_sub(1).map(|number| &self.images[number]) else {
-            return bilinear(place, whole, wraps, |column, row| {
-                texture.texel_upwards(column, row)
-            });
+    /// The interpolated colour in `base`, level 0, or in a level of the pyramid.
+    fn bilinear(&self, base: &impl Image, level: usize, position: DVec2, wraps: [Wrap; 2]) -> Rgb {
+        let Some(image) = level.checked_sub(1).map(|number| &self.levels[number]) else {
+            return bilinear(base, position, wraps);
         };
+        let whole = base.sides();
         #[expect(clippy::cast_precision_loss, reason = "sides are short")]
         let scale = |axis: usize| image.sides[axis] as f64 / whole[axis] as f64;
-        let place = place * DVec2::new(scale(0), scale(1));
-        note(4);
-        bilinear(place, image.sides, wraps, |column, row| {
-            image.texel(column, row)
-        })
+        let position = position * DVec2::new(scale(0), scale(1));
+        bilinear(image, position, wraps)
     }
 }
 
-/// What is seen with as many texels as the longer step of the pixel has: the level of detail that
-/// graphics hardware has (Segal and Akeley, "The OpenGL Graphics System").
-pub(super) fn longer_step(spread: &Spread) -> f64 {
-    let [right, up] = spread.steps.map(DVec2::length);
+/// The longer step of a footprint, which is the size for a mipmap lookup.
+///
+/// Graphics hardware takes its level of detail from it (Segal and Akeley, "The OpenGL Graphics
+/// System").
+pub(super) fn longer_step(footprint: &Spread) -> f64 {
+    let [right, up] = footprint.steps.map(DVec2::length);
     right.max(up)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::texture::{Texels, Texture};
 
     fn texture(width: usize, height: usize) -> Texture {
         let noise = |index: usize| u16::try_from(index * 37 % 251).expect("small");
@@ -163,7 +173,7 @@ mod tests {
         for [width, height] in [[1, 1], [1, 9], [8, 8], [7, 5], [13, 4], [3, 100]] {
             let texture = texture(width, height);
             let pyramid = Pyramid::new(&texture);
-            for image in &pyramid.images {
+            for image in &pyramid.levels {
                 let sum = image.colors.iter().fold(Rgb::BLACK, |sum, it| sum + *it);
                 let mean = sum / image.colors.len() as f64;
                 let pairs = mean.channels().into_iter().zip(texture.mean().channels());
@@ -171,20 +181,20 @@ mod tests {
                     assert!((found - expected).abs() < 1e-12, "{width} {height}");
                 }
             }
-            assert!(pyramid.images.last().is_none_or(|it| it.sides == [1, 1]));
+            assert!(pyramid.levels.last().is_none_or(|it| it.sides == [1, 1]));
         }
     }
 
     #[test]
-    fn a_pixel_of_any_size_sees_a_colour() {
+    fn a_footprint_of_any_size_has_a_colour() {
         let texture = texture(7, 5);
         let pyramid = Pyramid::new(&texture);
         let at = |size| {
-            let place = DVec2::new(2.5, 3.5);
-            pyramid.at(&texture, place, size, [Wrap::Repeat; 2])
+            let position = DVec2::new(2.5, 3.5);
+            pyramid.at(&texture, position, size, [Wrap::Repeat; 2])
         };
         for size in [0.0, 0.5, 1.0] {
-            assert_eq!(at(size), texture.texel_upwards(2, 3));
+            assert_eq!(at(size), texture.color(2, 3));
         }
         for size in [4.0, 1e9, f64::INFINITY, f64::NAN] {
             let off = at(size).r - texture.mean().r;

@@ -1,11 +1,13 @@
-//! How surfaces are found.
+//! Search structures for the surfaces that a ray may hit.
 
-/// How the surfaces that a ray may meet are found among all. The picture does not depend on it.
+/// The search structure for the surfaces that a ray may hit.
+///
+/// The picture does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Accelerator {
-    /// Every surface is asked, or every one that can appear in a part of the picture.
+    /// Tests every surface; for camera rays, those whose screen bounds hold the pixel.
     List,
-    /// Surfaces are asked whose boxes the ray passes.
+    /// Tests the surfaces whose boxes the ray passes.
     Tree,
 }
 
@@ -13,12 +15,12 @@ impl Accelerator {
     /// The fewest surfaces for which a tree is built.
     ///
     /// Measured with `benches/many_planes.rs` in millions of instructions for three pictures of 160
-    /// by 120 pixels, by a list and by a tree: 49 and 69 for 64 surfaces, 83 and 88 for 128, 200 and 104
-    /// for 256. Smaller, and a camera's list of what is where would have been faster; larger, and
-    /// shadows, which have no lists of their own beyond 128 surfaces, ask all of them.
+    /// by 120 pixels, by a list and by a tree: 49 and 69 for 64 surfaces, 83 and 88 for 128, 200
+    /// and 104 for 256. Below it the screen bounds of the list are faster than a tree. Above 128
+    /// surfaces shadow rays have no lists per receiver, so without a tree they test every surface.
     pub const FEWEST: usize = 129;
 
-    /// What it is called.
+    /// The name in reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -27,7 +29,7 @@ impl Accelerator {
         }
     }
 
-    /// What is best for this number of surfaces.
+    /// The faster one for this number of surfaces.
     #[must_use]
     pub fn for_count(count: usize) -> Self {
         if count < Self::FEWEST {

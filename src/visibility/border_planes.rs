@@ -8,14 +8,15 @@ use crate::math::{Ray, Side};
 
 /// The planes through one border of an occluder and each corner of a lamp.
 ///
-/// None if the corners see the occluder on different sides of the border: then nothing is known.
+/// Empty if the corners have the occluder on different sides of the border: no side is certain
+/// then.
 #[derive(Debug)]
 pub(super) struct BorderPlanes {
     point: DVec3,
     planes: Vec<BorderPlane>,
 }
 
-/// A plane through a point of a border; the occluder is on the side that the normal points to.
+/// A plane through a point of a border; its normal points toward the occluder.
 #[derive(Debug)]
 struct BorderPlane {
     normal: DVec3,
@@ -35,8 +36,8 @@ impl BorderPlanes {
                 |corner| BorderPlane::new(corner, [*from, *to], *inner, occluder.border_error);
             let planes: Option<Vec<_>> = lamp.corners().map(plane).collect();
             let planes = planes.unwrap_or_default();
-            let turned = |(_, turned): &(BorderPlane, bool)| *turned;
-            let uniform = planes.iter().all(turned) || !planes.iter().any(turned);
+            let flipped = |(_, flipped): &(BorderPlane, bool)| *flipped;
+            let uniform = planes.iter().all(flipped) || !planes.iter().any(flipped);
             let planes = planes.into_iter().filter(|_| uniform);
             Self {
                 point: *from,
@@ -46,11 +47,13 @@ impl BorderPlanes {
         borders.map(planes).collect()
     }
 
-    /// The side of all planes that the origin of a ray is certainly on: the front has the occluder.
+    /// The side of all planes that a ray's origin is certainly on.
+    ///
+    /// The front is the side of the occluder. `None` if the sides differ or are uncertain.
     pub(super) fn side(&self, ray: &Ray) -> Option<Side> {
-        let (way, _) = ray.origin.seen_from(self.point);
+        let (offset, _) = ray.origin.seen_from(self.point);
         let size = ray.origin.size();
-        let side = |plane: &BorderPlane| plane.side(way, size, ray.astray);
+        let side = |plane: &BorderPlane| plane.side(offset, size, ray.astray);
         let mut sides = self.planes.iter().map(side);
         let first = sides.next()??;
         sides.all(|side| side == Some(first)).then_some(first)
@@ -58,9 +61,10 @@ impl BorderPlanes {
 }
 
 impl BorderPlane {
-    /// The plane through a corner and a border, and whether its normal had to be turned inward.
+    /// The plane through a corner and a border, and whether its normal was flipped.
     ///
-    /// `None` if that is in doubt. The border that decides may lie `border_error` away.
+    /// Normals point toward the occluder. `None` if rounding leaves their sign uncertain. The
+    /// border that decides hits may lie `border_error` away.
     fn new(
         corner: DVec3,
         [from, to]: [DVec3; 2],
@@ -71,25 +75,26 @@ impl BorderPlane {
         let size = |point: DVec3| (point.abs() + corner.abs()).element_sum();
         let sizes = size(from) + size(to);
         let share = OCCLUSION * size(from) * size(to) + border_error * (sizes + border_error);
-        let bend = OCCLUSION * sizes;
+        let square = OCCLUSION * sizes;
         let fixed = share * (size(from) + corner.abs().element_sum())
             + normal.abs().element_sum() * border_error;
         let height = normal.dot(inner - from);
-        let turned = height < 0.0;
+        let flipped = height < 0.0;
         (height.abs() > fixed + share * size(inner)).then(|| {
             let plane = Self {
-                normal: if turned { -normal } else { normal },
-                bound: [fixed, share, bend],
+                normal: if flipped { -normal } else { normal },
+                bound: [fixed, share, square],
             };
-            (plane, turned)
+            (plane, flipped)
         })
     }
 
-    /// The side of a point, given as the vector from the border's point, unless in doubt.
-    fn side(&self, way: DVec3, size: f64, error: f64) -> Option<Side> {
-        let height = self.normal.dot(way);
-        let [fixed, share, bend] = self.bound;
-        let bound = fixed + (share + bend * size) * size + self.normal.abs().element_sum() * error;
+    /// The side of a point, given relative to the border's point; `None` if uncertain.
+    fn side(&self, offset: DVec3, size: f64, error: f64) -> Option<Side> {
+        let height = self.normal.dot(offset);
+        let [fixed, share, square] = self.bound;
+        let bound =
+            fixed + (share + square * size) * size + self.normal.abs().element_sum() * error;
         (height.abs() > bound).then_some(if height > 0.0 {
             Side::Front
         } else {

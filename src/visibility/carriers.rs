@@ -9,8 +9,8 @@ use crate::surface::Surface;
 
 /// The carrier of each surface: its plane, or its centre and half axes.
 ///
-/// Two carriers are one if their deciding numbers have the same bits: a plane's point and normal, which
-/// surfaces in one plane share since the scene was loaded, or a centre and half axes.
+/// Surfaces share a carrier if its numbers have the same bits: a plane's point and normal, or a
+/// centre and half axes. Loading a scene gives coplanar surfaces the same plane.
 #[must_use]
 pub fn carriers(surfaces: &[Box<dyn Surface>]) -> Vec<CarrierId> {
     let mut known: HashMap<(bool, [[u64; 3]; 2]), CarrierId> = HashMap::new();

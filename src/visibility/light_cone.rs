@@ -1,31 +1,33 @@
-//! The boxes that rays to a lamp may pass.
+//! The cone of rays from a point to a lamp, and the boxes that it misses.
 
 use glam::DVec3;
 
 use crate::math::error_bounds::{GRAZING, OCCLUSION, SLAB};
 use crate::math::{Bounds, Ray};
 
-/// All rays from a point to a ball around a lamp, and beyond it, in coordinates from a tree's centre.
+/// All rays from a point to and beyond a ball around a lamp.
+///
+/// Coordinates are relative to a tree's centre.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LightCone {
-    /// The point that the rays start from.
-    place: DVec3,
+    /// The origin of the rays.
+    origin: DVec3,
     /// The vector to the lamp's centre.
-    onward: DVec3,
+    to_lamp: DVec3,
     /// The radius of the ball around the lamp.
     radius: f64,
-    /// `|d|² − ρ²`.
-    opens: f64,
-    /// The width that is added for the errors of rays and boxes.
+    /// `|d|² − ρ²`, positive if the origin is outside of the ball.
+    spread: f64,
+    /// The padding for the errors of rays and boxes.
     pad: f64,
-    /// The sum of all lengths that this is made of.
+    /// The sum of all lengths in the test, the scale of its rounding errors.
     size: f64,
 }
 
 impl LightCone {
     /// The rays from a ray's origin to a ball around a lamp.
     ///
-    /// No box has a face further than `extent` from `center`.
+    /// All faces of the boxes lie within `extent` of `center`.
     pub(super) fn new(
         ray: &Ray,
         (lamp, lamp_radius): (DVec3, f64),
@@ -33,36 +35,37 @@ impl LightCone {
         extent: f64,
         sharpness: f64,
     ) -> Self {
-        let (place, far) = ray.origin.seen_from(center);
-        let onward = -ray.origin.from(lamp);
+        let (origin, far) = ray.origin.seen_from(center);
+        let to_lamp = -ray.origin.from(lamp);
         let between = (lamp - center).abs().element_sum();
         let size =
             far + extent + between + lamp_radius + ray.origin.size() + center.abs().element_sum();
-        let (doubt, rounding) = (SLAB * size, ray.rounding());
+        let (bound, rounding) = (SLAB * size, ray.rounding());
         Self {
-            place,
-            onward,
+            origin,
+            to_lamp,
             radius: lamp_radius,
-            opens: onward.length_squared() - lamp_radius * lamp_radius,
-            pad: doubt + 2.0 * sharpness * rounding + (doubt + 2.0 * rounding) / GRAZING,
+            spread: to_lamp.length_squared() - lamp_radius * lamp_radius,
+            pad: bound + 2.0 * sharpness * rounding + (bound + 2.0 * rounding) / GRAZING,
             size,
         }
     }
 
-    /// Returns whether certainly no ray passes a box.
+    /// Returns whether all rays certainly miss a box.
     #[inline(always)]
     pub(super) fn misses(&self, bounds: &Bounds) -> bool {
-        // The rays fill balls that grow with their distance: with w from the box's centre to the point, d
-        // from there to the lamp, and ρ and r for the radii of the balls around lamp and box, the squared
-        // distance beyond both is f(t) = |w + t d|² − (r + t ρ)², and must be above zero for all t from 0 on.
-        // Rays do not end at the lamp, for rounding may let a ray nearly parallel to a surface hit it
-        // anywhere. They begin behind the point, and pass a box at a distance, as `RaySlabs` allows.
-        let way = self.place - bounds.min.midpoint(bounds.max);
+        // The rays fill balls whose radii grow linearly with distance. Let w be the vector from the
+        // box's centre to the origin, d the vector from there to the lamp, ρ and r the radii of the
+        // balls around lamp and box. The rays miss the box if f(t) = |w + t d|² − (r + t ρ)² > 0
+        // for all t ≥ 0. Rays do not end at the lamp, because rounding may let a ray nearly
+        // parallel to a surface hit it anywhere. `pad` covers origins and boxes that are off by as
+        // much as `RaySlabs` allows.
+        let offset = self.origin - bounds.min.midpoint(bounds.max);
         let radius = 0.5 * (bounds.max - bounds.min).length() + self.pad;
-        let doubt = OCCLUSION * self.size * self.size;
-        let a = self.opens;
-        let b = way.dot(self.onward) - radius * self.radius;
-        let c = way.length_squared() - radius * radius;
-        a > doubt && c > doubt && (b > doubt || a * c - b * b > doubt * (a + self.size * self.size))
+        let bound = OCCLUSION * self.size * self.size;
+        let a = self.spread;
+        let b = offset.dot(self.to_lamp) - radius * self.radius;
+        let c = offset.length_squared() - radius * radius;
+        a > bound && c > bound && (b > bound || a * c - b * b > bound * (a + self.size * self.size))
     }
 }

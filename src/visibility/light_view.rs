@@ -1,4 +1,4 @@
-//! The surfaces of a scene as one light finds them: receivers and occluders.
+//! Light views: the receivers and occluders of one light.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use super::surface_list::SurfaceList;
 use crate::math::{CarrierId, Point, Side};
 use crate::surface::Lamp;
 
-/// The largest number of surfaces of which each has its own list of occluders of a light.
+/// The largest number of surfaces that each have their own list of occluders.
 ///
-/// In larger scenes all share one list. Making the lists takes the square of the number of surfaces.
-/// Smaller, and scenes of a few dozen surfaces test shadows in vain; larger, and making the lists takes
-/// longer than it saves.
+/// In larger scenes all share one list. Building the lists takes time proportional to the square of
+/// the number of surfaces. With a smaller limit, scenes of a few dozen surfaces test shadows in
+/// vain. With a larger one, building the lists takes longer than it saves.
 pub const MOST_LISTS: usize = 128;
 
 /// The source of a light.
@@ -27,11 +27,11 @@ pub const MOST_LISTS: usize = 128;
 pub enum Emitter<'a> {
     /// A point light at this location.
     Point(DVec3),
-    /// A lamp, with its place in the scene's list and its carrier.
+    /// A lamp, with its index in the scene's list and its carrier.
     Lamp(&'a Lamp, usize, Option<CarrierId>),
 }
 
-/// The surfaces of a scene as one light finds them.
+/// The receivers and occluders of one light.
 #[derive(Debug)]
 pub struct LightView<'a> {
     pub(super) emitter: Emitter<'a>,
@@ -46,7 +46,9 @@ pub struct LightView<'a> {
     pub(super) tree: Option<OccluderTree>,
     /// The least distance of the occluders in that tree from a point light.
     pub(super) distance: Option<OccluderDistance>,
-    /// True if occluders are tested even where the answer is known.
+    /// True if only surfaces can end a ray to the light.
+    pub(super) is_open: bool,
+    /// True if occluders are tested even if the plan has decided.
     pub(super) tests_all: bool,
     pub(super) silhouettes: Arc<Silhouettes>,
 }
@@ -55,17 +57,19 @@ pub struct LightView<'a> {
 #[derive(Debug)]
 pub(super) struct Occluder<'a> {
     pub(super) primitive: Primitive<'a>,
-    /// The side of the surface that all of the emitter is on, except what touches it.
+    /// The side of the surface that holds all of the emitter, except points of contact.
     pub(super) side: Option<Side>,
     pub(super) bound: OccluderBound,
-    /// True if no light passes: it is opaque, and no transparent surface on its carrier comes first.
+    /// True if no light passes.
+    ///
+    /// It is opaque, and no transparent surface on its carrier comes first.
     pub(super) is_opaque: bool,
 }
 
 /// An occluder that may hide an emitter from one receiver.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate {
-    /// Its place in the list of occluders.
+    /// Its index in the list of occluders.
     pub(super) occluder: usize,
     /// Its carrier.
     pub(super) carrier: Option<CarrierId>,
@@ -85,8 +89,8 @@ pub struct Receiver<'v, 'a> {
 impl<'a> LightView<'a> {
     /// The view of a light.
     ///
-    /// `lights` tells whether the light arrives at a surface, by its place. With `tests_all` every
-    /// occluder is tested for every shadow, even if it is proven to cast none.
+    /// `lights` returns whether the light arrives at a surface, by its index. With `tests_all`
+    /// every occluder is tested for every shadow, even if it is proven to cast none.
     #[must_use]
     pub fn new(
         surfaces: &SurfaceList<'a>,
@@ -113,6 +117,7 @@ impl<'a> LightView<'a> {
             list_of: vec![None; count],
             tree: None,
             distance: None,
+            is_open: true,
             tests_all,
             silhouettes: silhouettes.clone(),
             emitter,
@@ -164,6 +169,12 @@ impl<'a> LightView<'a> {
         occluders.filter_map(candidate).collect()
     }
 
+    /// The same view, in which a camera's screen may end a ray to the light unless `is_open`.
+    #[must_use]
+    pub fn open(self, is_open: bool) -> Self {
+        Self { is_open, ..self }
+    }
+
     /// The lamp that the light comes from; `None` if it comes from a point.
     #[must_use]
     pub fn lamp(&self) -> Option<&'a Lamp> {
@@ -181,7 +192,7 @@ impl<'a> LightView<'a> {
         })
     }
 
-    /// The occluders, by their places in the scene's list, that can hide the light from a surface.
+    /// The indices in the scene's list of the occluders that can hide the light.
     #[must_use]
     pub fn occluders_of(&self, receiver: usize) -> Vec<usize> {
         let candidates = self.list_of[receiver].map_or(&[][..], |list| &self.lists[list]);
@@ -191,9 +202,12 @@ impl<'a> LightView<'a> {
         occluders.map(|occluder| occluder.primitive.index).collect()
     }
 
-    /// The side of an occluder, by its place in the scene's list, that all of the emitter is on.
+    /// The side of an occluder that holds all of the emitter.
     ///
-    /// Parts of a lamp may touch the occluder. `None` if a lamp is on both sides, or on its carrier.
+    /// The occluder is given by its index in the scene's list.
+    ///
+    /// Parts of a lamp may touch the occluder. `None` if a lamp is on both sides, or on its
+    /// carrier.
     #[must_use]
     pub fn side_of(&self, occluder: usize) -> Option<Side> {
         let mut occluders = self.occluders.iter();

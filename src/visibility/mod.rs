@@ -1,8 +1,8 @@
 //! Visibility: the nearest hit of a ray, and the occluders between a surface and a light.
 //!
 //! A light is a point or a lamp; both are [`LightView`]s, and a point is a lamp whose hull has one
-//! point. An *occluder* is a surface that can cast a shadow, a *receiver* one that a shadow can fall on,
-//! and *transmittance* is the share of light that passes all occluders on its way.
+//! point. An *occluder* is a surface that can cast a shadow, a *receiver* one that a shadow can
+//! fall on, and *transmittance* is the share of light that passes all occluders.
 
 mod accelerator;
 mod border_planes;

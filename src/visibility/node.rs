@@ -1,4 +1,4 @@
-//! The nodes of a tree of boxes.
+//! Nodes of a bounding volume hierarchy.
 
 use crate::math::Bounds;
 
@@ -12,8 +12,8 @@ pub(super) struct Node {
 /// The content of a box.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Content {
-    /// Two boxes, this one and the next.
+    /// Two child nodes: this one and the next.
     Boxes(u32),
-    /// Surfaces: from the first up to but not the second.
+    /// A range of surfaces; the second number is exclusive.
     Surfaces(u32, u32),
 }

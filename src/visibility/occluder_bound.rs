@@ -1,4 +1,4 @@
-//! Bounds of an occluder before a lamp: cheap answers before any shadow ray.
+//! Bounds of an occluder in front of a lamp, tested before any shadow ray.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use crate::math::error_bounds::{OCCLUSION, SLIDE};
 use crate::math::{Flat, Point, Ray, Side};
 use crate::surface::{Lamp, Surface};
 
-/// The bound of an occluder before a lamp, from which most points are decided without rays.
+/// The bound of an occluder in front of a lamp; most points need no other test.
 #[derive(Debug)]
 pub(super) enum OccluderBound {
     /// A flat occluder; `lamp` is the side that all of the lamp is on.
@@ -18,16 +18,16 @@ pub(super) enum OccluderBound {
         lamp: Option<Side>,
         borders: Vec<BorderPlanes>,
     },
-    /// A round occluder within a ball, and a plane between it and the lamp, if one is known.
+    /// A round occluder within a ball; `separating` is a plane between it and the lamp.
     Ball {
         center: DVec3,
         radius: f64,
         lamp: (DVec3, f64),
         separating: Option<SeparatingPlane>,
     },
-    /// A round occluder behind the lamp, as seen from points of a size below `farthest`.
+    /// A round occluder behind the lamp, for points of a size below `farthest`.
     Behind { farthest: f64 },
-    /// Nothing is known.
+    /// No bound exists.
     Unknown,
 }
 
@@ -43,7 +43,7 @@ pub(super) enum HiddenPart {
 }
 
 impl OccluderBound {
-    /// The bound of an occluder before a lamp, from the silhouettes of both.
+    /// The bound of an occluder in front of a lamp, from the silhouettes of both.
     pub(super) fn new(occluder: &Silhouette, lamp: &Lamp, emitter: &Silhouette) -> Self {
         if let Some(plane) = occluder.plane {
             return Self::Flat {
@@ -57,9 +57,9 @@ impl OccluderBound {
         };
         let radius = axes.max_element();
         let farthest = lamp.shape().carrier().map(|plane| {
-            let (way, size) = Point::exact(center).seen_from(plane.point);
+            let (offset, size) = Point::exact(center).seen_from(plane.point);
             let base = Point::exact(plane.point).size();
-            let gap = -plane.normal.dot(way) - radius - plane.slack();
+            let gap = -plane.normal.dot(offset) - radius - plane.slack();
             gap / OCCLUSION - (size + base + radius)
         });
         if let Some(farthest) = farthest.filter(|farthest| *farthest > 0.0) {
@@ -73,7 +73,9 @@ impl OccluderBound {
         }
     }
 
-    /// The side of the occluder that all of the lamp is on, except what touches it, if known.
+    /// The side of the occluder that holds all of the lamp, except points of contact.
+    ///
+    /// `None` if it is uncertain.
     pub(super) fn side_of_lamp(&self) -> Option<Side> {
         match self {
             Self::Flat { lamp, .. } => *lamp,
@@ -96,13 +98,13 @@ impl OccluderBound {
         }
     }
 
-    /// Returns whether a round occluder certainly hides nothing from any point of a receiver.
+    /// Returns whether a round occluder certainly hides nothing from a receiver.
     pub(super) fn hides_nothing_from(&self, receiver: &Silhouette) -> bool {
         let hides_nothing_from = |point| {
             let point = Point::exact(point);
             match self {
                 Self::Behind { farthest } => point.size() < *farthest,
-                // Hits lie between these points, or slide along the surface beyond them.
+                // Hits lie between these points, or beyond them by a rounding along the surface.
                 Self::Ball {
                     separating: Some(plane),
                     ..
@@ -148,8 +150,8 @@ fn hidden_by_flat(
     borders: &[BorderPlanes],
     ray: &Ray,
 ) -> HiddenPart {
-    let (way, size) = ray.origin.seen_from(plane.point);
-    let height = plane.normal.dot(way);
+    let (offset, size) = ray.origin.seen_from(plane.point);
+    let height = plane.normal.dot(offset);
     let base = Point::exact(plane.point).size();
     let certain = height.abs() > OCCLUSION * (size + base) + ray.astray + plane.slack();
     let behind = match lamp {
@@ -178,19 +180,21 @@ fn hidden_by_flat(
     }
 }
 
-/// Returns whether a ball certainly misses all segments from a ray's origin to a ball around a lamp.
+/// Returns whether a ball certainly misses all segments from an origin to a lamp.
+///
+/// The lamp is given by a ball around it.
 fn misses_ball(center: DVec3, radius: f64, (lamp, lamp_radius): (DVec3, f64), ray: &Ray) -> bool {
-    // The segments fill balls that grow from a point at the origin to all of the lamp. With w from the
-    // occluder's centre to the origin and d from there to the lamp's, the squared distance beyond both
-    // radii is f(t) = |w + t d|² − (r + t ρ)², and must be above zero for all t from 0 to 1.
-    let (way, size) = ray.origin.seen_from(center);
-    let onward = -ray.origin.from(lamp);
+    // The segments fill balls that grow from the origin to the whole lamp. Let w be the vector from
+    // the occluder's centre to the origin, and d the vector from there to the lamp's centre. The
+    // segments miss the occluder if f(t) = |w + t d|² − (r + t ρ)² > 0 for all t from 0 to 1.
+    let (offset, size) = ray.origin.seen_from(center);
+    let to_lamp = -ray.origin.from(lamp);
     let points = (center.abs() + lamp.abs()).element_sum();
     let size = size + ray.origin.size() + points + radius + lamp_radius;
     let bound = size * (OCCLUSION * size + 8.0 * ray.astray);
-    let a = onward.length_squared() - lamp_radius * lamp_radius;
-    let b = way.dot(onward) - radius * lamp_radius;
-    let c = way.length_squared() - radius * radius;
+    let a = to_lamp.length_squared() - lamp_radius * lamp_radius;
+    let b = offset.dot(to_lamp) - radius * lamp_radius;
+    let c = offset.length_squared() - radius * radius;
     if c <= bound || a + 2.0 * b + c <= bound {
         return false;
     }

@@ -6,14 +6,14 @@ use super::primitive::Primitive;
 use crate::math::error_bounds::CROSSING_HEIGHT;
 use crate::math::{Point, Segment};
 
-/// The least distance of a point light from the plane, or the round surface, of any bounded occluder.
+/// The least distance of a point light from the carrier of any bounded occluder.
 ///
-/// Occluders are hit before the light, except for rounding, which matters more the nearer the light is to
-/// an occluder's plane.
+/// Occluders are hit before the light, up to a rounding error that grows as the light approaches an
+/// occluder's plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OccluderDistance {
     distance: f64,
-    /// The largest sum of lengths that the distance is made of.
+    /// The largest sum of lengths in a distance, the scale of its rounding error.
     size: f64,
 }
 
@@ -36,13 +36,13 @@ impl OccluderDistance {
         })
     }
 
-    /// The distance along a segment to the light up to which occluders have to be searched for.
+    /// The distance along a segment up to which occluders must be searched.
     pub(super) fn until(self, segment: &Segment) -> f64 {
-        // Between a point and a light on opposite sides of a plane a ray rises by at least the distance
-        // c on its length l. Its start, its direction and the plane put the height by which it crosses
-        // off by less than the bound e, so it crosses by l e / c later at most; and while e is far below
-        // c, rounding cannot have put the start beyond the light. A ball at this distance from the
-        // light, and before it, is passed before the light.
+        // A ray of length l from a point to a light on the other side of a plane rises by at least
+        // the light's distance c. Errors of its origin, its direction and the plane change the
+        // height of the crossing by less than the bound e. So it crosses at most l e / c later.
+        // While e is far below c, rounding cannot have moved the origin beyond the light. A ball in
+        // front of the light at this distance is passed before the light.
         let sizes = self.size + segment.ray.size();
         let bound = CROSSING_HEIGHT * sizes + 4.0 * segment.ray.astray;
         if 4.0 * bound < self.distance {
@@ -56,9 +56,9 @@ impl OccluderDistance {
     fn from(light: DVec3, primitive: &Primitive<'_>) -> Self {
         let light = Point::exact(light);
         if let Some(plane) = primitive.plane {
-            let (way, _) = light.seen_from(plane.point);
+            let (offset, _) = light.seen_from(plane.point);
             return Self {
-                distance: plane.normal.dot(way).abs() - plane.slack(),
+                distance: plane.normal.dot(offset).abs() - plane.slack(),
                 size: light.size() + Point::exact(plane.point).size(),
             };
         }
@@ -68,12 +68,12 @@ impl OccluderDistance {
                 size: 0.0,
             };
         };
-        let (way, _) = light.seen_from(center);
+        let (offset, _) = light.seen_from(center);
         let [long, short] = [axes.max_element(), axes.min_element()];
-        // Values in the space where an ellipsoid is a ball are off by that much more.
-        let stretch = (short / long) * (short / long);
+        // In the space where an ellipsoid is a ball, errors are larger by this factor.
+        let scale = (short / long) * (short / long);
         Self {
-            distance: (way.length() - long) * stretch,
+            distance: (offset.length() - long) * scale,
             size: light.size() + Point::exact(center).size() + long,
         }
     }

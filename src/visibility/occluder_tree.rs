@@ -1,4 +1,4 @@
-//! The search for occluders among very many surfaces.
+//! The search for occluders in large scenes.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,30 +12,30 @@ use crate::math::Ray;
 #[derive(Debug)]
 pub(super) struct OccluderTree {
     tree: Arc<Tree>,
-    /// For every surface its place in the list of occluders.
+    /// The index of each surface in the list of occluders; `None` if it is not one.
     occluders: Vec<Option<u32>>,
 }
 
 impl OccluderTree {
-    /// A tree of so many surfaces, whose occluders are these.
+    /// A tree of `count` surfaces, of which these are occluders.
     pub(super) fn new(
         tree: &Arc<Tree>,
         count: usize,
         occluders: impl Iterator<Item = usize>,
     ) -> Self {
-        let mut places = vec![None; count];
-        for (place, surface) in (0..).zip(occluders) {
-            places[surface] = Some(place);
+        let mut indices = vec![None; count];
+        for (index, surface) in (0..).zip(occluders) {
+            indices[surface] = Some(index);
         }
         Self {
             tree: tree.clone(),
-            occluders: places,
+            occluders: indices,
         }
     }
 
-    /// Visits the occluders, by their places, that a ray may hit up to a distance.
+    /// Visits the occluders, by index, that a ray may hit up to a distance.
     ///
-    /// `visit` says whether the others matter.
+    /// `visit` returns whether the walk goes on.
     pub(super) fn walk(
         &self,
         ray: &Ray,
@@ -43,16 +43,16 @@ impl OccluderTree {
         mut visit: impl FnMut(usize) -> ControlFlow<()>,
     ) {
         self.tree.walk(ray, until, |surface, until| {
-            if let Some(place) = self.occluders[surface] {
-                visit(place as usize)?;
+            if let Some(index) = self.occluders[surface] {
+                visit(index as usize)?;
             }
             ControlFlow::Continue(until)
         });
     }
 
-    /// Visits the occluders, by their places, that rays to a ball around a lamp may hit.
+    /// Visits the occluders, by index, that rays to a ball around a lamp may hit.
     ///
-    /// `visit` says whether the others matter.
+    /// `visit` returns whether the walk goes on.
     pub(super) fn walk_toward(
         &self,
         ray: &Ray,
@@ -60,7 +60,7 @@ impl OccluderTree {
         mut visit: impl FnMut(usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         self.tree.walk_toward(ray, lamp, |surface| {
-            self.occluders[surface].map_or(ControlFlow::Continue(()), |place| visit(place as usize))
+            self.occluders[surface].map_or(ControlFlow::Continue(()), |index| visit(index as usize))
         })
     }
 }

@@ -18,13 +18,13 @@ use crate::surface::Lamp;
 pub enum Occlusion<'v, 'a> {
     /// Nothing of it.
     None,
-    /// Some of it, or nothing, or all: shadow rays tell.
+    /// Possibly some of it; shadow rays decide.
     Partial(Occluders<'v, 'a>),
     /// All of it.
     Full,
 }
 
-/// The occluders that may stand between a hit and a light.
+/// The occluders that may lie between a hit and a light.
 #[derive(Debug)]
 pub struct Occluders<'v, 'a> {
     receiver: Receiver<'v, 'a>,
@@ -36,17 +36,18 @@ pub struct Occluders<'v, 'a> {
 /// The occluders that are tested for each shadow ray.
 #[derive(Debug)]
 enum Choice<'v> {
-    /// Candidates; the first is known to be in question.
+    /// Candidates, of which the first has passed the quick tests.
     Candidates(&'v [Candidate]),
-    /// Occluders by their places, in file order.
-    Places(Vec<usize>),
+    /// Occluders by index, in file order.
+    SamplePositions(Vec<usize>),
     /// The occluders that a tree finds.
     Tree(&'v OccluderTree),
 }
 
-/// The largest number of occluders of a lamp that are tested one by one if there is a tree.
+/// The largest number of a lamp's occluders that are tested without the tree.
 ///
-/// Smaller, and few are searched for as if they were many; larger, and each ray tests more than it hits.
+/// With a smaller limit, trees are walked for few occluders. With a larger one, each ray tests many
+/// occluders that it misses.
 const FEW: usize = 8;
 
 impl<'v, 'a> Receiver<'v, 'a> {
@@ -59,13 +60,12 @@ impl<'v, 'a> Receiver<'v, 'a> {
 
     /// The part of the light that is hidden from a hit, from which a ray starts.
     ///
-    /// `is_open` tells whether only surfaces can end a ray to the light.
     #[must_use]
     #[inline(always)]
-    pub fn occlusion(self, hit: &Hit, ray: &Ray, is_open: bool) -> Occlusion<'v, 'a> {
+    pub fn occlusion(self, hit: &Hit, ray: &Ray) -> Occlusion<'v, 'a> {
         let choice = match self.view.emitter {
             Emitter::Point(_) => self.before_point(hit.uv, ray),
-            Emitter::Lamp(lamp, ..) => match self.before_lamp(lamp, ray, is_open) {
+            Emitter::Lamp(lamp, ..) => match self.before_lamp(lamp, ray) {
                 ControlFlow::Continue(choice) => choice,
                 ControlFlow::Break(()) => return Occlusion::Full,
             },
@@ -82,11 +82,14 @@ impl<'v, 'a> Receiver<'v, 'a> {
     /// The occluders between a hit and a point light; `None` if there are none.
     #[inline(always)]
     fn before_point(self, uv: DVec2, ray: &Ray) -> Option<Choice<'v>> {
+        let mut candidates = self.candidates;
+        if candidates.is_empty() {
+            return None;
+        }
         if let Some(tree) = &self.view.tree {
             // A walk tests less than the whole list.
-            return (!self.candidates.is_empty()).then_some(Choice::Tree(tree));
+            return Some(Choice::Tree(tree));
         }
-        let mut candidates = self.candidates;
         while let [first, others @ ..] = candidates {
             if first.is_in_question(uv, ray) {
                 return Some(Choice::Candidates(candidates));
@@ -96,15 +99,12 @@ impl<'v, 'a> Receiver<'v, 'a> {
         None
     }
 
-    /// The occluders between a hit and a lamp; `None` if there are none, a break if all is hidden.
-    // Never inlined, as the code of point lights is hot.
+    /// The occluders between a hit and a lamp.
+    ///
+    /// `None` if there are none; a break if the whole lamp is hidden.
+    // Never inlined, because the code of point lights is hot.
     #[inline(never)]
-    fn before_lamp(
-        self,
-        lamp: &Lamp,
-        ray: &Ray,
-        is_open: bool,
-    ) -> ControlFlow<(), Option<Choice<'v>>> {
+    fn before_lamp(self, lamp: &Lamp, ray: &Ray) -> ControlFlow<(), Option<Choice<'v>>> {
         let view = self.view;
         let left = ray.leaves();
         let (mut few, mut are_many, mut is_hidden) = (Vec::new(), false, false);
@@ -119,7 +119,7 @@ impl<'v, 'a> Receiver<'v, 'a> {
             }
             match occluder.bound.hidden_part(ray) {
                 HiddenPart::None => {}
-                HiddenPart::Full if occluder.is_opaque && is_open => {
+                HiddenPart::Full if occluder.is_opaque && view.is_open => {
                     is_hidden = true;
                     return ControlFlow::Break(());
                 }
@@ -142,7 +142,7 @@ impl<'v, 'a> Receiver<'v, 'a> {
         if is_hidden {
             return ControlFlow::Break(());
         }
-        // A walk that broke off has found many.
+        // A walk that stopped early has found many.
         debug_assert!(walked.is_continue() || are_many, "a break has a reason");
         if few.is_empty() && !view.tests_all {
             return ControlFlow::Continue(None);
@@ -151,25 +151,26 @@ impl<'v, 'a> Receiver<'v, 'a> {
             return ControlFlow::Continue(Some(Choice::Tree(tree)));
         }
         few.sort_unstable();
-        ControlFlow::Continue(Some(Choice::Places(few)))
+        ControlFlow::Continue(Some(Choice::SamplePositions(few)))
     }
 }
 
 impl Candidate {
-    /// Returns whether a ray to the light from a hit at these coordinates can hit the occluder.
+    /// Returns whether a ray from these coordinates to the light can hit the occluder.
     #[inline(always)]
     fn is_in_question(&self, uv: DVec2, ray: &Ray) -> bool {
         let is_missed = |shadow: &ShadowRect| shadow.is_missed(uv, ray);
         let left = ray.leaves();
-        !self.shadow.as_ref().is_some_and(is_missed) && !(left.is_some() && self.carrier == left)
+        let is_left = left.is_some() && self.carrier == left;
+        !is_left && !self.shadow.as_ref().is_some_and(is_missed)
     }
 }
 
 impl<'a> Occluders<'_, 'a> {
     /// The share of light that passes along a segment to a point of the light.
     ///
-    /// Opaque surfaces block it. Transparent ones tint it, each once. Of surfaces on one carrier the
-    /// first in the file counts. `tests` grows by the number of surfaces that are tested.
+    /// Opaque surfaces block it. Transparent ones tint it, each once. On each carrier, only the
+    /// first surface in the file counts. `tests` grows by the number of surfaces that are tested.
     #[must_use]
     pub fn transmittance(&self, segment: &Segment, tests: &mut u64) -> Rgb {
         let mut hides = |occluder: &Occluder<'a>| {
@@ -187,7 +188,7 @@ impl<'a> Occluders<'_, 'a> {
                 let hiding = all.filter(|occluder| hides(occluder));
                 transmittance(hiding.map(|occluder| &occluder.primitive), segment)
             }
-            Choice::Places(places) => {
+            Choice::SamplePositions(places) => {
                 let all = places.iter().map(|place| &occluders[*place]);
                 let hiding = all.filter(|occluder| hides(occluder));
                 transmittance(hiding.map(|occluder| &occluder.primitive), segment)
@@ -196,14 +197,14 @@ impl<'a> Occluders<'_, 'a> {
         }
     }
 
-    /// The share of light that passes the occluders which a tree finds along a segment.
+    /// The share of light that passes the occluders that a tree finds along a segment.
     fn transmittance_of(
         &self,
         tree: &OccluderTree,
         segment: &Segment,
         mut hides: impl FnMut(&Occluder<'a>) -> bool,
     ) -> Rgb {
-        // A point of a lamp can lie on an occluder's plane, which is hit beyond it by rounding.
+        // A point of a lamp can lie on an occluder's plane; rounding can put the hit beyond it.
         let distance = self.receiver.view.distance;
         let until = distance.map_or(f64::MAX, |distance| distance.until(segment));
         let left = segment.ray.leaves();
@@ -229,7 +230,7 @@ impl<'a> Occluders<'_, 'a> {
         transmittance(hiding.into_iter(), segment)
     }
 
-    /// Returns whether an occluder stands between the ends of a segment.
+    /// Returns whether an occluder hides one end of a segment from the other.
     #[inline]
     fn hides(&self, occluder: &Occluder<'a>, segment: &Segment) -> bool {
         let primitive = &occluder.primitive;

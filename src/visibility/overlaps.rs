@@ -1,20 +1,20 @@
-//! Which of many boxes overlap.
+//! Overlap queries among many boxes.
 
 use super::node::{Content, Node};
 use super::split::{self, Item};
 use crate::math::Bounds;
 
-/// Some boxes, made ready to be asked which of them overlap.
+/// A hierarchy of boxes that answers overlap queries.
 #[derive(Debug)]
 pub struct Overlaps {
     nodes: Vec<Node>,
-    /// For every node the first of the boxes in it.
+    /// The lowest index of the boxes in each node.
     firsts: Vec<u32>,
     items: Vec<Item>,
 }
 
 impl Overlaps {
-    /// Of things in a list those that have a box.
+    /// The hierarchy of a list; entries without a box overlap nothing.
     #[must_use]
     pub fn new(boxes: &[Option<Bounds>]) -> Self {
         let numbered = (0u32..).zip(boxes);
@@ -28,9 +28,9 @@ impl Overlaps {
             .collect();
         let nodes = split::nodes(&mut items);
         let mut firsts = vec![u32::MAX; nodes.len()];
-        // What is in a box comes after it.
-        for (place, node) in nodes.iter().enumerate().rev() {
-            firsts[place] = match node.content {
+        // Children are stored after their parent.
+        for (index, node) in nodes.iter().enumerate().rev() {
+            firsts[index] = match node.content {
                 Content::Boxes(inner) => firsts[inner as usize].min(firsts[inner as usize + 1]),
                 Content::Surfaces(first, _) => items[first as usize].index,
             };
@@ -42,15 +42,16 @@ impl Overlaps {
         }
     }
 
-    /// The first of the things before a place in the list whose box touches or overlaps this one, and
-    /// of which something else is true.
+    /// The first index below `index` that satisfies `is_true`, and whose box touches.
+    ///
+    /// `None` if there is none.
     pub fn first_before(
         &self,
-        place: usize,
+        index: usize,
         bounds: &Bounds,
         is_true: impl Fn(usize) -> bool,
     ) -> Option<usize> {
-        let mut best = place;
+        let mut best = index;
         let mut waiting = Vec::from_iter((!self.nodes.is_empty()).then_some(0));
         while let Some(node) = waiting.pop() {
             let first = self.firsts[node] as usize;
@@ -61,7 +62,7 @@ impl Overlaps {
                 Content::Boxes(inner) => {
                     let inner = inner as usize;
                     let mut both = [inner, inner + 1];
-                    // What is pushed last is asked first.
+                    // The node that is pushed last is visited first.
                     both.sort_unstable_by_key(|node| std::cmp::Reverse(self.firsts[*node]));
                     waiting.extend(both);
                 }
@@ -74,6 +75,6 @@ impl Overlaps {
                 }
             }
         }
-        (best < place).then_some(best)
+        (best < index).then_some(best)
     }
 }

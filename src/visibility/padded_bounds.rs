@@ -7,10 +7,10 @@ use crate::math::error_bounds::{GRAZING, SLAB, WIDEN};
 use crate::math::{Bounds, Flat};
 use crate::surface::Surface;
 
-/// The sharpness up to which a surface has a box, 2²⁰.
+/// The largest sharpness of a surface with a box, 2²⁰.
 ///
-/// Larger, and one sliver makes every ray as wide as it is long. Smaller, and slivers of a mesh are
-/// tested one by one.
+/// With a larger limit, one sliver pads every ray by as much as its length. With a smaller one, the
+/// slivers of a mesh are tested one by one.
 const SHARPEST: f64 = 1_048_576.0;
 
 /// A box outside of which a bounded surface is certainly not hit.
@@ -23,7 +23,7 @@ pub(super) struct PaddedBounds {
 }
 
 impl PaddedBounds {
-    /// The box of a surface; `None` if it is unbounded, a sliver, or too large for numbers.
+    /// The box of a surface; `None` if it is unbounded, a sliver, or overflows.
     pub(super) fn of(primitive: &Primitive<'_>) -> Option<Self> {
         let shape = primitive.surface.shape();
         let bounds = shape.bounds()?;
@@ -35,10 +35,10 @@ impl PaddedBounds {
         let mut margin = SLAB * largest;
         if let Some(plane) = primitive.plane {
             padded.sharpness = sharpness(&shape.outline());
-            // The exact hit lies inside the borders that decide, brought into the plane that decides.
-            // Their distance from the surface's own is `error`. To a ray that rises by as little as
-            // `GRAZING` it looks like `error / GRAZING`, and in a corner it is divided by the sine
-            // of its angle. `WIDEN` covers the rounding of borders that are not shared.
+            // The exact hit lies inside the deciding borders, projected to the deciding plane.
+            // Their distance from the surface's own is `error`. For a ray of slope `GRAZING` the
+            // distance along the plane is `error / GRAZING`. In a corner it is divided by the sine
+            // of the angle. `WIDEN` covers the rounding of borders that are not shared.
             let error = shape.border_error() + plane.slack();
             margin += WIDEN * (bounds.max - bounds.min).element_sum()
                 + 2.0 * error / GRAZING * padded.sharpness;
@@ -52,8 +52,8 @@ impl PaddedBounds {
 
 /// A bound of the distance at which a surface can be hit outside of its corners.
 ///
-/// Shared planes and borders are decided by the numbers of one surface for all. The bound holds for
-/// rays at no small angle to the surface.
+/// For shared planes and borders, the numbers of one surface decide for all. The bound holds for
+/// rays that do not graze the surface.
 #[must_use]
 pub fn shared_border_error(surface: &dyn Surface) -> f64 {
     let shape = surface.shape();
@@ -65,7 +65,7 @@ pub fn shared_border_error(surface: &dyn Surface) -> f64 {
     }
 }
 
-/// An upper bound of 1 / sine of half of the sharpest angle between the sides of an outline.
+/// An upper bound of 1 / sin(α/2) for the sharpest angle α of an outline.
 fn sharpness(outline: &[DVec3]) -> f64 {
     let next = outline.iter().cycle().skip(1);
     let sides: Vec<_> = outline

@@ -1,4 +1,4 @@
-//! A surface as rays find it.
+//! Primitives: surfaces prepared for ray tests.
 
 use std::cmp::Ordering;
 
@@ -8,22 +8,22 @@ use crate::math::{
 };
 use crate::surface::{Common, Surface};
 
-/// A surface of the scene with its carrier, its place in the list, and the numerics of its tests.
+/// A surface with its carrier, its index in the scene, and its numerics.
 #[derive(Debug, Clone, Copy)]
 pub struct Primitive<'a> {
     /// The surface.
     pub surface: &'a dyn Surface,
     /// The properties of every surface.
     pub common: &'a Common,
-    /// The place in the scene's list.
+    /// The index in the scene's list.
     pub index: usize,
-    /// The carrier, which rays that leave the surface cannot hit again; `None` if they can.
+    /// The carrier; rays that leave the surface cannot hit it again, except for `None`.
     pub carrier: Option<CarrierId>,
     /// The plane that it lies in, if it is flat and the numerics are robust.
     pub plane: Option<&'a Flat>,
-    /// True if rays that leave it to its inside hit it again: it is round, and refracts.
+    /// True if rays that start inward can hit it again: it is round, and refracts.
     pub is_entered: bool,
-    /// True if rays that hit it cause others.
+    /// True if it reflects or transmits rays.
     pub sends_on: bool,
     /// The arithmetic that decides hits.
     pub numerics: Numerics,
@@ -39,13 +39,13 @@ impl<'a> Primitive<'a> {
         Self {
             carrier: Some(carrier),
             plane: shape.carrier(),
-            // A carrier has the number of its first surface, which rays find first.
+            // A carrier has the index of its first surface, which wins all its hits.
             is_entered: enters && carrier.0 as usize == index,
             ..Self::classic(index, surface, Numerics::Robust)
         }
     }
 
-    /// A surface whose hits are decided by rounded values, about which nothing is proven.
+    /// A surface whose hits are decided by rounded values, without proven bounds.
     pub(super) fn classic(index: usize, surface: &'a dyn Surface, numerics: Numerics) -> Self {
         Self {
             surface,
@@ -54,7 +54,7 @@ impl<'a> Primitive<'a> {
             carrier: None,
             plane: None,
             is_entered: false,
-            sends_on: surface.common().material.sends_on(),
+            sends_on: surface.common().material.spawns_rays(),
             numerics,
             point_error: surface.shape().point_error(),
         }
@@ -78,7 +78,7 @@ impl<'a> Primitive<'a> {
         self.surface.resolve(hit, ray, self.numerics)
     }
 
-    /// The side of the surface that a point is on; classic numerics do not ask.
+    /// The side of the surface that a point is on; the front for classic numerics.
     #[must_use]
     pub fn side(&self, point: &Point) -> Side {
         match self.numerics {
@@ -87,14 +87,14 @@ impl<'a> Primitive<'a> {
         }
     }
 
-    /// Returns whether the surface lies on a carrier that is known.
+    /// Returns whether the surface lies on this carrier; false for `None`.
     #[must_use]
     #[inline(always)]
     pub fn lies_on(&self, carrier: Option<CarrierId>) -> bool {
         carrier.is_some() && self.carrier == carrier
     }
 
-    /// The origin of rays that leave the surface where another ray hits it.
+    /// The origin of rays that leave the surface at a hit of another ray.
     #[must_use]
     #[inline(always)]
     pub fn ray_origin<'b>(&self, arriving: &'b Ray<'b>, hit: &Hit) -> RayOrigin<'b>
@@ -111,10 +111,10 @@ impl<'a> Primitive<'a> {
         ray_origin
     }
 
-    /// Returns whether the surface stands between the ends of a segment.
+    /// Returns whether the surface hides one end of a segment from the other.
     ///
-    /// `end` is the side of the surface that the segment's end is on. `can_hide` tells whether the
-    /// surface can hide the light there from some part of the receiver at all.
+    /// `end` is the side of the surface that the segment's end is on. `can_hide` returns whether
+    /// the surface can hide the light there from any part of the receiver.
     #[inline]
     pub(super) fn hides(
         &self,
@@ -127,8 +127,8 @@ impl<'a> Primitive<'a> {
             Numerics::Classic => classic::occludes::<f64>(self.surface.shape(), segment),
             Numerics::ClassicF32 => classic::occludes::<f32>(self.surface.shape(), segment),
         };
-        // A start within rounding of the occluder's plane keeps the arriving ray's side of it, on
-        // which the receiver need not have any part. An occluder that is proven to hide nothing
+        // A ray that starts within rounding of the occluder's plane keeps the arriving ray's side
+        // of it, where the receiver may have no part. An occluder that is proven to hide nothing
         // must not hide, whether it is tested or not.
         let is_in_doubt = |plane: &Flat| plane.is_next_to_start(&segment.ray);
         occludes && (!self.plane.is_some_and(is_in_doubt) || can_hide())
@@ -142,8 +142,9 @@ impl<'a> Primitive<'a> {
         if self.carrier.is_some() && self.carrier == other.carrier {
             return first_in_file;
         }
-        // A distance is off by its error at most, or next to zero for an exact one below. So
-        // distances further apart than both errors have the order of the exact ones.
+        // The rounded distances are within their errors of the exact ones, except that an exact one
+        // below zero is rounded to next above zero. So distances further apart than both errors are
+        // in the order of the exact ones.
         let error = hit.error + other_hit.error;
         let nearer = other_hit.t - hit.t;
         if nearer.abs() > error {

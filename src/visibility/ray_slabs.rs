@@ -1,4 +1,4 @@
-//! The boxes that a ray passes.
+//! Slab tests of rays against boxes.
 
 use glam::DVec3;
 
@@ -15,44 +15,44 @@ pub(super) struct RaySlabs {
     origin: [DVec3; 2],
     /// One divided by the direction; never zero, infinite or undefined.
     slowness: DVec3,
-    /// How far behind the start the ray begins: zero or less.
+    /// The distance at which the ray begins, zero or less: behind its origin.
     start: f64,
 }
 
 impl RaySlabs {
-    /// A ray among boxes none of which has a face further than `extent` from `center`.
+    /// A ray among boxes whose faces all lie within `extent` of `center`.
     pub(super) fn new(ray: &Ray, center: DVec3, extent: f64, sharpness: f64) -> Self {
-        // Each quotient is off by `SLAB`, in units of the sum of all lengths that went into it: the
-        // numerator by its roundings, and the quotient by two more, which count as if the face were
-        // moved by two roundings of the numerator. So both faces are moved outward by that much, and
-        // the exact ray is between the exact faces only while the rounded one is between the rounded.
-        // Sums, products and quotients are monotone under rounding, so a larger box is passed
-        // earlier, for longer, and by all rays that pass the smaller one.
+        // `SLAB` bounds the error of each quotient, in units of the sum of all lengths in it: the
+        // roundings of the numerator, and two more of the quotient. The latter count as if the face
+        // were moved by two roundings of the numerator. Both faces are moved outward by that much,
+        // so the exact ray is between the exact faces only while the rounded one is between the
+        // rounded. Sums, products and quotients are monotone under rounding, so a larger box is
+        // passed earlier, for longer, and by all rays that pass the smaller one.
         //
-        // A ray that leaves a surface may start as far from its exact origin as its `rounding`. So at
-        // its very start it may hit a surface whose border is that far beside it, or further in a
-        // sharp corner: all faces are moved outward by that, too. A surface that it has not crossed
-        // yet may lie behind its start, by as much as the rounding divided by the slope at which it is
-        // crossed, which is `GRAZING` or more: the ray begins that far behind. (Of a ray with less
-        // slope, only surfaces ahead count.)
+        // The origin of a ray that leaves a surface may be off by its `rounding`. Near its origin
+        // it may hit a surface whose border is that far off the ray, or further in a sharp corner.
+        // So all faces are moved outward by that distance, too. A surface ahead of the exact origin
+        // may lie behind the rounded one, by at most the rounding divided by the slope of the
+        // crossing. That slope is at least `GRAZING`, so the ray begins that far behind. (A ray
+        // with less slope hits only surfaces ahead.)
         let (origin, size) = ray.origin.seen_from(center);
         let rounding = ray.rounding();
-        let doubt = SLAB * (size + extent);
-        let pad = DVec3::splat(doubt + 2.0 * sharpness * rounding);
+        let error = SLAB * (size + extent);
+        let pad = DVec3::splat(error + 2.0 * sharpness * rounding);
         let behind = if rounding > 0.0 {
-            (doubt + 2.0 * rounding) / GRAZING
+            (error + 2.0 * rounding) / GRAZING
         } else {
             0.0
         };
         Self {
             origin: [origin + pad, origin - pad],
-            // The largest number stands for infinity, of which zero times is not a number.
+            // The largest finite number replaces infinity, because 0 · ∞ is not a number.
             slowness: ray.dir.recip().clamp(DVec3::MIN, DVec3::MAX),
             start: -behind,
         }
     }
 
-    /// Where the ray enters a box; `None` if it passes by.
+    /// The distance at which the ray enters a box; `None` if it misses.
     #[inline(always)]
     pub(super) fn entry(&self, bounds: &Bounds) -> Option<f64> {
         let low = (bounds.min - self.origin[0]) * self.slowness;

@@ -1,4 +1,4 @@
-//! The part of the raster in which each surface can appear.
+//! Screen bounds: the part of the raster in which each surface can appear.
 
 use super::padded_bounds::shared_border_error;
 use super::primitive::Primitive;
@@ -27,16 +27,16 @@ pub enum Visible<'s, 'a> {
 }
 
 impl<'a> ScreenBounds<'a> {
-    /// The rectangles of all surfaces before a camera.
+    /// The rectangles of all surfaces in front of a camera.
     #[must_use]
     pub fn new(surfaces: &SurfaceList<'a>, camera: &Camera) -> Self {
         let window = |primitive: &Primitive<'a>| {
             let outline = primitive.surface.shape().outline();
             if !outline.is_empty() {
-                return camera.window(outline, shared_border_error(primitive.surface));
+                return camera.raster_bounds(outline, shared_border_error(primitive.surface));
             }
             match primitive.surface.shape().bounds() {
-                Some(bounds) => camera.window(bounds.corners(), 0.0),
+                Some(bounds) => camera.raster_bounds(bounds.corners(), 0.0),
                 None => Some(RasterRect::EVERYWHERE),
             }
         };
@@ -49,26 +49,26 @@ impl<'a> ScreenBounds<'a> {
         }
     }
 
-    /// Returns for each of so many surfaces whether it can appear in a raster of this size.
+    /// Returns for each of `count` surfaces whether it can appear in a raster.
     #[must_use]
     pub fn visible(&self, size: [u32; 2], count: usize) -> Vec<bool> {
         let mut seen = vec![false; count];
         for (window, primitive) in &self.seen {
-            seen[primitive.index] = window.meets(size);
+            seen[primitive.index] = window.overlaps_picture(size);
         }
         seen
     }
 
     /// The surfaces that camera rays through a pixel span can hit.
     #[must_use]
-    pub fn along(&self, stretch: &PixelSpan<'_>) -> Visible<'_, 'a> {
+    pub fn along(&self, span: &PixelSpan<'_>) -> Visible<'_, 'a> {
         let mut here = self
             .seen
             .iter()
-            .filter(|(window, _)| window.meets_stretch(stretch));
+            .filter(|(window, _)| window.overlaps_span(span));
         match (here.next(), here.next()) {
             (None, _) => Visible::Nothing,
-            (Some((window, primitive)), None) if window.holds_stretch(stretch) => {
+            (Some((window, primitive)), None) if window.contains_span(span) => {
                 Visible::One(primitive)
             }
             _ => Visible::Several,

@@ -1,4 +1,4 @@
-//! Separating planes between lamps and round occluders next to them.
+//! Separating planes between lamps and adjacent round occluders.
 
 use glam::DVec3;
 
@@ -7,9 +7,11 @@ use crate::math::error_bounds::OCCLUSION;
 use crate::math::exact::{Exact, ExactVector, Sign};
 use crate::math::{Flat, Point, Side, direction};
 
-/// A plane with a round occluder behind it and a lamp in front, both of which may touch it.
+/// A plane with a round occluder behind it and a lamp in front.
 ///
-/// From a point that is clearly in front of it, too, the occluder hides nothing of the lamp.
+/// Both may touch it.
+///
+/// The occluder hides no part of the lamp from a point that is certainly in front of the plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SeparatingPlane {
     point: DVec3,
@@ -18,7 +20,7 @@ pub(super) struct SeparatingPlane {
     error: f64,
     /// `short³/long²`.
     thickness: f64,
-    /// The sum of all lengths that it is made of.
+    /// The sum of all lengths in it, the scale of its rounding error.
     size: f64,
 }
 
@@ -37,7 +39,7 @@ impl SeparatingPlane {
         }
     }
 
-    /// The plane of a rectangular lamp, for a round occluder that is behind it or touches it.
+    /// The plane of a rectangular lamp, for a round occluder not in front of it.
     fn of_rectangle(plane: &Flat, radius: f64, [center, axes]: [DVec3; 2]) -> Self {
         let lamp = Point::exact(plane.point).size() + radius;
         Self {
@@ -49,14 +51,16 @@ impl SeparatingPlane {
         }
     }
 
-    /// A plane between a ball that is a lamp and the ball around an occluder, unless they overlap.
+    /// A plane between a ball lamp and the ball around an occluder.
+    ///
+    /// `None` if they overlap.
     fn of_balls([lamp, lamp_axes]: [DVec3; 2], [center, axes]: [DVec3; 2]) -> Option<Self> {
         let (lamp_radius, radius) = (lamp_axes.max_element(), axes.max_element());
-        let way = &ExactVector::from(lamp) - &ExactVector::from(center);
+        let offset = &ExactVector::from(lamp) - &ExactVector::from(center);
         let radii = &Exact::from(lamp_radius) + &Exact::from(radius);
-        let gap = &way.dot(&way) - &radii.squared();
+        let gap = &offset.dot(&offset) - &radii.squared();
         (gap.sign() != Sign::Negative).then(|| {
-            let normal = direction(way.rounded());
+            let normal = direction(offset.rounded());
             let size = Point::exact(lamp).size() + lamp_radius;
             Self {
                 point: center + normal * radius,
@@ -68,24 +72,26 @@ impl SeparatingPlane {
         })
     }
 
-    /// Returns whether a point is certainly in front, so that the occluder hides nothing from it.
+    /// Returns whether the occluder certainly hides nothing from a point in front.
     ///
     /// `error` bounds the error of the point.
     pub(super) fn has_in_front(&self, point: &Point, error: f64) -> bool {
-        // Let the point be h above the plane, and the segment to a point of the lamp no longer than D.
-        // The segment does not go below the plane. Let the tested ray be within ε of it, by rounding. If
-        // the ray enters a ball of radius r below the plane, its foot F from the centre C is in the
-        // ball, and no more than ε below the plane; so F − C rises by r − ε at least, and leads aside
-        // by √(2 r ε) at most. The ray's direction falls by h/D, except for rounding; and as it is at
-        // right angles to F − C, (r − ε) h/D ≤ √(2 r ε). If h² r > 8 ε D², that is false: then the foot is
-        // not before the ray's end, and a ball that is entered only beyond the end hides nothing.
+        // Let the point be h above the plane, and the segment to a point of the lamp no longer than
+        // D. The segment does not go below the plane. Let the tested ray be within ε of it, by
+        // rounding. If the ray enters a ball of radius r below the plane, its foot F from the
+        // centre C is in the ball, and at most ε below the plane. So F − C rises by at least r − ε,
+        // and its part along the plane is at most √(2 r ε). The ray's direction falls by h/D, up to
+        // rounding, and is at right angles to F − C. Hence (r − ε) h/D ≤ √(2 r ε).
+        // If h² r > 8 ε D², that is false: then the foot lies beyond the ray's end, and a ball that
+        // is entered only beyond the end hides nothing.
         //
-        // An ellipsoid is a ball of radius 1 in a space where no length is divided by less than its
-        // shortest half axis, and no height by more than its longest: h² short³/long² > 8 ε D².
-        let (way, length) = point.seen_from(self.point);
+        // An ellipsoid is a ball of radius 1 in a scaled space. There lengths are divided by at
+        // least the shortest half axis, and heights by at most the longest. So the condition is
+        // h² short³/long² > 8 ε D².
+        let (offset, length) = point.seen_from(self.point);
         let size = length + self.size;
         let bound = OCCLUSION * size + 8.0 * (error + self.error);
-        let height = self.normal.dot(way) - bound;
+        let height = self.normal.dot(offset) - bound;
         height > 0.0 && height * height * self.thickness > bound * size * size
     }
 }

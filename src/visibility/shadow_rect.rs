@@ -6,7 +6,7 @@ use super::silhouette::Silhouette;
 use crate::math::error_bounds::{SHADE, UNDERFLOW};
 use crate::math::{Point, Ray};
 
-/// A range of uv on a rectangular receiver, outside of which an occluder casts no shadow.
+/// A range of uv on a rectangle, outside of which an occluder casts no shadow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ShadowRect {
     low: DVec2,
@@ -18,14 +18,15 @@ pub(super) struct ShadowRect {
 impl ShadowRect {
     /// The range in which a bounded occluder can hide a point light from a rectangle.
     ///
-    /// `None` if the receiver is no rectangle, or the occluder not lower above it than the light.
+    /// `None` if the receiver is not a rectangle, or if the occluder is not certainly below the
+    /// light, in heights above the receiver.
     pub(super) fn of(light: DVec3, occluder: &Silhouette, receiver: &Silhouette) -> Option<Self> {
         let rectangle = receiver.rectangle.as_ref()?;
         let (x, y, normal) = (rectangle.frame.x, rectangle.frame.y, rectangle.flat.normal);
         let corner = rectangle.flat.point;
-        let way = light - corner;
-        let height = normal.dot(way);
-        let length = way.length() + rectangle.size.element_sum();
+        let offset = light - corner;
+        let height = normal.dot(offset);
+        let length = offset.length() + rectangle.size.element_sum();
         let hull: Vec<_> = occluder.corners().collect();
         if !occluder.is_bounded() {
             return None;
@@ -35,38 +36,38 @@ impl ShadowRect {
         let largest = hull.iter().map(|point| sum(*point)).fold(0.0, f64::max);
         let size = sum(light) + sum(corner) + rectangle.size.element_sum() + largest;
         let slant = slant(occluder, light, length)?;
-        let blur = (SHADE * size + 2.0 * occluder.border_error) * slant + UNDERFLOW;
+        let tolerance = (SHADE * size + 2.0 * occluder.border_error) * slant + UNDERFLOW;
 
-        // If the segment from P on the receiver to the light L meets the occluder's hull, then P is the
-        // image, seen from L, of a point X in the hull: Q(X) = L + (X − L) H / (H − h), where H and h are
-        // the heights of L and X above the receiver. So P is in the convex hull of the images of the
-        // hull's corners, for all of them are lower than the light.
+        // If the segment from P on the receiver to the light L hits the occluder's hull, then P is
+        // the projection from L of a point X in the hull: Q(X) = L + (X − L) H / (H − h), where H
+        // and h are the heights of L and X above the receiver. All corners of the hull are lower
+        // than the light, so P is in the convex hull of their projections.
         let mut range = Self {
             low: DVec2::INFINITY,
             high: DVec2::NEG_INFINITY,
-            origin_error: blur / 8.0,
+            origin_error: tolerance / 8.0,
         };
         let mut gap = f64::INFINITY;
         for point in hull {
             let fall = normal.dot(light - point);
             gap = gap.min(fall);
-            let image = way + (point - light) * (height / fall);
+            let image = offset + (point - light) * (height / fall);
             let uv = DVec2::new(x.dot(image), y.dot(image));
             range.low = range.low.min(uv);
             range.high = range.high.max(uv);
         }
-        // Let each of the decided line, the deciding occluder and the point be off by a share of `blur`,
-        // so that a line that is said to hit the occluder comes as near as `blur` to its hull. Then P is
-        // as near as 2 blur (H + |P − L|) / gap to the images, if the whole hull is lower than the
-        // light by gap > 2 blur: the difference of Q(X) and Q(Y) = P for the point Y of the line next to
-        // X. Twice that is added on every side.
-        let margin = 8.0 * blur * (length / gap);
+        // The errors of the tested line, the deciding occluder and the point add up to at most the
+        // tolerance τ, so a line that counts as a hit comes within τ of the hull. Let the whole
+        // hull be lower than the light by gap > 2 τ. For the point Y of the line nearest to X,
+        // Q(Y) = P, and P is within 2 τ (H + |P − L|) / gap of Q(X). Twice that is added on every
+        // side.
+        let margin = 8.0 * tolerance * (length / gap);
         range.low -= margin;
         range.high += margin;
-        (gap > 4.0 * blur && range.low.is_finite() && range.high.is_finite()).then_some(range)
+        (gap > 4.0 * tolerance && range.low.is_finite() && range.high.is_finite()).then_some(range)
     }
 
-    /// Returns whether the ray from a point at these coordinates to the light certainly misses.
+    /// Returns whether a ray from these coordinates to the light certainly misses.
     #[inline(always)]
     pub(super) fn is_missed(&self, uv: DVec2, ray: &Ray) -> bool {
         let outside =
@@ -75,15 +76,16 @@ impl ShadowRect {
     }
 }
 
-/// The factor between the rounding of a ray to a light and the distance at which it may pass the
-/// occluder and still count as a hit. The ray is no longer than `length`.
+/// The miss distance that counts as a hit, per unit of rounding of the ray.
+///
+/// `length` bounds the length of the ray. `None` if the occluder is neither flat nor round.
 fn slant(occluder: &Silhouette, light: DVec3, length: f64) -> Option<f64> {
     match (&occluder.plane, occluder.round) {
-        // Borders are decided by lines that are off the plane by rounding, so a ray at a small angle
-        // to the plane can miss by more. From across the plane to the light it rises by more than the
+        // Border lines are off the plane by rounding, so a ray at a small angle to the plane can
+        // miss by more. From the other side of the plane to the light it rises by more than the
         // light's height.
         (Some(plane), _) => Some((length / plane.normal.dot(light - plane.point).abs()).max(1.0)),
-        // An ellipsoid is decided in a space where its axes are equal.
+        // An ellipsoid is tested in a space where its axes are equal.
         (None, Some([_, axes])) => Some(axes.max_element() / axes.min_element()),
         (None, None) => None,
     }

@@ -22,7 +22,7 @@ pub struct Silhouette {
     pub(super) outline: Vec<DVec3>,
     /// A bound of the distance at which it can be hit outside of its outline.
     pub(super) border_error: f64,
-    /// Points around it, exact and rounded; `None` if it is unbounded.
+    /// Points whose convex hull holds it, exact and rounded; `None` if it is unbounded.
     hull: Option<Vec<(ExactVector, DVec3)>>,
     /// Centre and half axes of a round shape.
     pub(super) round: Option<[DVec3; 2]>,
@@ -30,31 +30,31 @@ pub struct Silhouette {
     pub(super) rectangle: Option<Rectangle>,
 }
 
-/// The silhouettes of all surfaces, each made when it is first needed.
+/// The silhouettes of all surfaces, each computed on first use.
 #[derive(Debug)]
 pub struct Silhouettes {
-    // Of thousands of surfaces few are ever needed, and exact corners take long to make.
-    made: Vec<OnceLock<Box<Silhouette>>>,
+    // In large scenes few are ever needed, and exact corners are slow to compute.
+    computed: Vec<OnceLock<Box<Silhouette>>>,
 }
 
 impl Silhouettes {
-    /// The silhouettes of so many surfaces.
+    /// The silhouettes of `count` surfaces, none of them computed yet.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self {
-            made: (0..count).map(|_| OnceLock::new()).collect(),
+            computed: (0..count).map(|_| OnceLock::new()).collect(),
         }
     }
 
     /// The silhouette of a surface.
     #[must_use]
     pub fn of(&self, primitive: &Primitive<'_>) -> &Silhouette {
-        self.made[primitive.index].get_or_init(|| Box::new(Silhouette::of(primitive)))
+        self.computed[primitive.index].get_or_init(|| Box::new(Silhouette::of(primitive)))
     }
 }
 
 impl Silhouette {
-    /// The silhouette of a surface; nothing is known of one with classic numerics.
+    /// The silhouette of a surface; empty for one with classic numerics.
     #[must_use]
     pub fn of(primitive: &Primitive<'_>) -> Self {
         match primitive.numerics {
@@ -120,20 +120,22 @@ impl Silhouette {
             .then(|| Ball::around(&Bounds::around(self.corners())))
     }
 
-    /// Returns whether some of it lies strictly in front of a receiver's plane, or that is not flat.
+    /// Returns whether part of it lies strictly in front of a receiver's plane.
+    ///
+    /// True for a receiver that is not flat.
     #[must_use]
     pub fn is_in_front_of(&self, receiver: &Self) -> bool {
         let plane = receiver.plane.as_ref();
         plane.is_none_or(|plane| self.reaches(plane, Side::Front))
     }
 
-    /// Returns whether some of its light can reach the front of a receiver, without occluders.
+    /// Returns whether its light can reach the front of a receiver, without occluders.
     #[must_use]
     pub fn can_light(&self, receiver: &Self) -> bool {
         self.is_in_front_of(receiver) && receiver.is_in_front_of(self)
     }
 
-    /// The side of its plane on which all of an emitter is, except what lies in the plane.
+    /// The side of its plane that holds all of an emitter not in the plane.
     ///
     /// `None` if the emitter is on both sides, or if this is not flat.
     pub(super) fn side_of(&self, emitter: &Self) -> Option<Side> {
@@ -146,16 +148,16 @@ impl Silhouette {
         }
     }
 
-    /// Returns whether it can hide some part of an emitter from some part of a receiver.
+    /// Returns whether it can hide part of an emitter from part of a receiver.
     ///
-    /// A plane hides only what is strictly on the other side of it, and a bounded flat surface only
-    /// what its shadow pyramid meets. So floor and walls hide nothing in a room.
+    /// A plane hides only points strictly on its other side, and a bounded flat surface only points
+    /// in its shadow pyramid. So the floor and walls of a room hide nothing in it.
     pub(super) fn can_hide(&self, emitter: &Self, receiver: &Self) -> bool {
         if self.carrier.is_some() && [receiver.carrier, emitter.carrier].contains(&self.carrier) {
             return false;
         }
         let Some(plane) = &self.plane else {
-            // A round occluder of a lamp is decided for each hit.
+            // A round occluder of a lamp is tested at each hit.
             let light = emitter.point();
             return light.is_none_or(|light| !self.shadow_cone_misses(light, receiver));
         };
@@ -164,7 +166,7 @@ impl Silhouette {
         sides.into_iter().any(between) && !self.shadow_pyramid_misses(emitter, receiver)
     }
 
-    /// Returns whether some of it can lie strictly on this side of a plane.
+    /// Returns whether part of it can lie strictly on this side of a plane.
     pub(super) fn reaches(&self, plane: &Flat, side: Side) -> bool {
         if let Some(round) = self.round {
             return plane.has_some_of(round, side);
@@ -178,7 +180,7 @@ impl Silhouette {
         }
     }
 
-    /// Returns whether a receiver certainly lies outside of the cone from a light around this.
+    /// Returns whether a receiver certainly lies outside of its shadow cone.
     fn shadow_cone_misses(&self, light: DVec3, receiver: &Self) -> bool {
         let (Some(own), Some(receiver)) = (self.ball(), receiver.ball()) else {
             return false;
@@ -188,12 +190,12 @@ impl Silhouette {
         })
     }
 
-    /// Returns whether a receiver certainly lies outside of this surface's shadow pyramid.
+    /// Returns whether a receiver certainly lies outside of its shadow pyramid.
     ///
-    /// It is on the outer side of the planes through one border and each corner of the emitter, all
-    /// of which have the surface on one side.
+    /// It lies on the outer side of the planes through one border and each corner of the emitter.
+    /// All these planes have the surface on one side.
     fn shadow_pyramid_misses(&self, emitter: &Self, receiver: &Self) -> bool {
-        // What decides is linear in both ends, so it holds for points between corners, too.
+        // The volume is linear in both ends, so its sign holds for points between corners, too.
         let (Some(hull), Some(first_light)) = (&receiver.hull, emitter.corners().next()) else {
             return false;
         };
@@ -215,10 +217,12 @@ impl Silhouette {
     }
 }
 
-/// Six times the volume of a tetrahedron, positive for one turn of its corners, else negative.
+/// Six times the signed volume of a tetrahedron.
 ///
-/// Zero if rounding leaves its sign, or the side on which a ray from `c` to the `top` passes the border
-/// `ab`, in doubt. The border that decides may lie `border_error` away.
+/// The sign is the orientation of its corners.
+///
+/// Zero if rounding leaves the sign uncertain, or the side on which a ray from `c` to `top` passes
+/// the border `ab`. The border that decides hits may lie `border_error` away.
 fn volume(top: DVec3, [a, b]: [DVec3; 2], c: DVec3, border_error: f64) -> f64 {
     let size = |point: DVec3| Point::exact(point).size() + Point::exact(top).size();
     let volume = (a - top).cross(b - top).dot(c - top);

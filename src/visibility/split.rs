@@ -1,4 +1,4 @@
-//! How a tree of boxes is built.
+//! Construction of a bounding volume hierarchy by the surface area heuristic.
 
 use std::ops::Range;
 
@@ -14,35 +14,40 @@ pub(super) struct Item {
     pub(super) bounds: Bounds,
 }
 
-/// The most boxes around a surface: those before halving begins, and those in which 2³² surfaces are
-/// halved until each is alone.
-pub(super) const DEEPEST: usize = HALVED_FROM + 33;
+/// The largest depth of a leaf.
+///
+/// [`HALVING_DEPTH`] levels, and those in which 2³² surfaces are halved until each has its own
+/// leaf.
+pub(super) const MAX_DEPTH: usize = HALVING_DEPTH + 33;
 
-/// From this depth on boxes are cut into two with equally many surfaces. Smaller, and scenes with
-/// much detail in one place get bad trees; larger, and a walk needs more memory.
-const HALVED_FROM: usize = 32;
+/// The depth from which nodes are split at the median.
+///
+/// With a smaller value, scenes with dense detail in one place get bad trees. With a larger one, a
+/// traversal needs more memory.
+const HALVING_DEPTH: usize = 32;
 
-/// The most surfaces for which cutting a box further is not considered.
-const FEW: usize = 2;
+/// The largest number of surfaces that are never split.
+const MAX_UNSPLIT: usize = 2;
 
-/// The most surfaces in a leaf, but for those in one place.
-const MOST: usize = 8;
+/// The largest number of surfaces in a leaf, unless their centres coincide.
+const MAX_LEAF: usize = 8;
 
-/// How many equal parts of an axis a cut may lie between. Fewer, and trees get worse; more, and building
-/// takes longer.
+/// The number of bins along an axis; splits lie between bins.
+///
+/// Fewer bins make worse trees. More bins take longer to build.
 const BINS: usize = 16;
 
-/// What passing a box costs, in units of asking a surface.
-const COST_OF_BOX: f64 = 0.7;
+/// The cost of a box test, in units of a surface test.
+const BOX_COST: f64 = 0.7;
 
-/// A box that may be cut: the place of its node, its items, and its depth.
+/// A node that may be split: its index, its items, and its depth.
 type Task = (usize, Range<usize>, usize);
 
-/// The nodes of a tree, the root first; the items are put into the order of the leaves, and in a leaf they
-/// keep their own.
+/// The nodes of a tree, the root first.
 ///
-/// Cuts are chosen by the surface area heuristic, in bins along each axis (Wald 2007, "On fast
-/// Construction of SAH-based Bounding Volume Hierarchies").
+/// The items are reordered by leaf; in a leaf they are sorted by index. Splits are chosen by the
+/// surface area heuristic, in bins along each axis (Wald 2007, "On fast Construction of SAH-based
+/// Bounding Volume Hierarchies").
 pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(items.len());
     if items.is_empty() {
@@ -50,9 +55,9 @@ pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
     }
     nodes.push(leaf(items, 0..items.len()));
     let mut tasks: Vec<Task> = vec![(0, 0..items.len(), 0)];
-    while let Some((place, range, depth)) = tasks.pop() {
-        let bounds = nodes[place].bounds;
-        let Some(left) = cut(&mut items[range.clone()], &bounds, depth) else {
+    while let Some((node, range, depth)) = tasks.pop() {
+        let bounds = nodes[node].bounds;
+        let Some(left) = partition(&mut items[range.clone()], &bounds, depth) else {
             items[range].sort_unstable_by_key(|item| item.index);
             continue;
         };
@@ -65,7 +70,7 @@ pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
             nodes.push(leaf(items, part.clone()));
             tasks.push((first + next, part, depth + 1));
         }
-        nodes[place].content = Content::Boxes(small(first));
+        nodes[node].content = Content::Boxes(to_u32(first));
     }
     nodes
 }
@@ -73,7 +78,7 @@ pub(super) fn nodes(items: &mut [Item]) -> Vec<Node> {
 fn leaf(items: &[Item], range: Range<usize>) -> Node {
     Node {
         bounds: around(&items[range.clone()]),
-        content: Content::Surfaces(small(range.start), small(range.end)),
+        content: Content::Surfaces(to_u32(range.start), to_u32(range.end)),
     }
 }
 
@@ -89,23 +94,24 @@ fn around(items: &[Item]) -> Bounds {
     clippy::cast_possible_truncation,
     reason = "no scene has 2^32 surfaces"
 )]
-fn small(place: usize) -> u32 {
-    place as u32
+fn to_u32(number: usize) -> u32 {
+    number as u32
 }
 
-/// Cuts items into two parts and puts those of the first part in front; gives their number, or `None`
-/// if they are better left in one leaf.
-fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
-    if items.len() <= FEW {
+/// Partitions items in two, and returns the size of the first part.
+///
+/// `None` if they stay in one leaf.
+fn partition(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
+    if items.len() <= MAX_UNSPLIT {
         return None;
     }
     let centers = Bounds::around(items.iter().map(Item::center));
     let size = centers.max - centers.min;
-    // What lies in one place cannot be told apart by boxes.
+    // Boxes do not separate items whose centres coincide.
     if size.max_element() <= 0.0 {
         return None;
     }
-    if depth >= HALVED_FROM {
+    if depth >= HALVING_DEPTH {
         let axis = size.max_position();
         let by_center = |a: &Item, b: &Item| {
             let order = a.center()[axis].total_cmp(&b.center()[axis]);
@@ -119,8 +125,8 @@ fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
         .filter(|axis| size[*axis] > 0.0)
         .flat_map(|axis| costs(items, &centers, bounds, axis))
         .min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let uncut = area(bounds, bounds) * (count(items.len()) - COST_OF_BOX);
-    if cost >= uncut && items.len() <= MOST {
+    let unsplit = area(bounds, bounds) * (count(items.len()) - BOX_COST);
+    if cost >= unsplit && items.len() <= MAX_LEAF {
         return None;
     }
     let mut left = 0;
@@ -133,8 +139,7 @@ fn cut(items: &mut [Item], bounds: &Bounds, depth: usize) -> Option<usize> {
     Some(left)
 }
 
-/// What asking the two parts costs, with the axis of the cut and the bin that the second part begins
-/// with, for each bin that it can begin with.
+/// The cost of each split along an axis, with the axis and the split's upper bin.
 fn costs(
     items: &[Item],
     centers: &Bounds,
@@ -156,7 +161,7 @@ fn costs(
         .collect()
 }
 
-/// Of everything up to each bin: the number, and the area times the number.
+/// Prefix sums over bins: the number of items, and that number times their area.
 fn sums<'b>(
     bins: impl Iterator<Item = &'b (usize, Option<Bounds>)>,
     whole: &Bounds,
@@ -178,7 +183,7 @@ fn join(one: Option<Bounds>, other: Bounds) -> Bounds {
     })
 }
 
-/// Half of the surface of a box, in units of the longest side of the whole, squared.
+/// Half of the surface area of a box, in units of the whole's longest side squared.
 fn area(bounds: &Bounds, whole: &Bounds) -> f64 {
     let unit = (whole.max - whole.min).max_element();
     let DVec3 { x, y, z } = (bounds.max - bounds.min) / unit;
@@ -198,10 +203,10 @@ impl Item {
         self.bounds.min.midpoint(self.bounds.max)
     }
 
-    /// Which of the equal parts of an axis its centre lies in.
+    /// The bin that its centre lies in.
     fn bin(&self, centers: &Bounds, axis: usize) -> usize {
-        let place = self.center()[axis] - centers.min[axis];
-        let share = place / (centers.max[axis] - centers.min[axis]);
+        let offset = self.center()[axis] - centers.min[axis];
+        let share = offset / (centers.max[axis] - centers.min[axis]);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_precision_loss,
@@ -217,18 +222,20 @@ impl Item {
 mod tests {
     use super::*;
 
-    /// The deepest leaf of a tree of these points and the largest, once each point is found in one leaf.
-    fn deepest_and_largest(places: &[DVec3]) -> (usize, usize) {
-        let bounds = |place: &DVec3| Bounds {
-            min: *place,
-            max: *place,
+    /// The depth of the deepest leaf and the size of the largest in a tree of points.
+    ///
+    /// Asserts that each point is in exactly one leaf.
+    fn deepest_and_largest(points: &[DVec3]) -> (usize, usize) {
+        let bounds = |point: &DVec3| Bounds {
+            min: *point,
+            max: *point,
         };
-        let numbered = (0..).zip(places.iter().map(bounds));
+        let numbered = (0..).zip(points.iter().map(bounds));
         let mut items: Vec<_> = numbered
             .map(|(index, bounds)| Item { index, bounds })
             .collect();
         let nodes = nodes(&mut items);
-        let mut found = vec![false; places.len()];
+        let mut found = vec![false; points.len()];
         let (mut deepest, mut largest) = (0, 0);
         let mut waiting = vec![(0, 0)];
         while let Some((node, depth)) = waiting.pop() {
@@ -251,30 +258,33 @@ mod tests {
 
     const MANY: usize = 100_000;
 
-    /// So crowded towards the origin that every cut in bins takes off few points only.
+    /// Points so dense near the origin that every binned split separates only a few.
     fn crowded() -> impl Iterator<Item = DVec3> {
         (0..MANY).map(|number| DVec3::splat(libm::exp2(count(number) / -100.0)))
     }
 
     #[test]
     fn what_lies_in_one_place_is_one_leaf() {
-        let places = vec![DVec3::new(3.0, -2.0, 0.1); MANY];
-        assert_eq!(deepest_and_largest(&places), (0, MANY));
+        let points = vec![DVec3::new(3.0, -2.0, 0.1); MANY];
+        assert_eq!(deepest_and_largest(&points), (0, MANY));
     }
 
     #[test]
     fn no_crowd_makes_a_tree_deeper_than_a_walk_has_room_for() {
-        let places: Vec<_> = crowded().collect();
-        let (deepest, largest) = deepest_and_largest(&places);
-        assert!((HALVED_FROM + 10..=DEEPEST).contains(&deepest), "{deepest}");
-        assert!(largest <= MOST, "{largest}");
+        let points: Vec<_> = crowded().collect();
+        let (deepest, largest) = deepest_and_largest(&points);
+        assert!(
+            (HALVING_DEPTH + 10..=MAX_DEPTH).contains(&deepest),
+            "{deepest}"
+        );
+        assert!(largest <= MAX_LEAF, "{largest}");
     }
 
     #[test]
     fn a_pile_in_a_crowd_is_one_leaf_no_deeper_than_others() {
-        let places: Vec<_> = crowded().chain(vec![DVec3::ZERO; MANY]).collect();
-        let (deepest, largest) = deepest_and_largest(&places);
-        assert!((HALVED_FROM..=DEEPEST).contains(&deepest), "{deepest}");
+        let points: Vec<_> = crowded().chain(vec![DVec3::ZERO; MANY]).collect();
+        let (deepest, largest) = deepest_and_largest(&points);
+        assert!((HALVING_DEPTH..=MAX_DEPTH).contains(&deepest), "{deepest}");
         assert!(largest <= MANY, "{largest}");
     }
 }

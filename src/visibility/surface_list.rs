@@ -11,7 +11,7 @@ use crate::geometry::Hit;
 use crate::math::{CarrierId, Limits, Numerics, Ray, Span};
 use crate::surface::Surface;
 
-/// The surfaces of a scene in file order, and the tree that finds them, if there is one.
+/// The surfaces of a scene in file order, and their tree.
 #[derive(Debug)]
 pub struct SurfaceList<'a> {
     primitives: Vec<Primitive<'a>>,
@@ -20,13 +20,13 @@ pub struct SurfaceList<'a> {
 }
 
 impl<'a> SurfaceList<'a> {
-    /// The surfaces, found in the way that suits their number.
+    /// The surfaces, with the accelerator for their number.
     #[must_use]
     pub fn new(surfaces: &'a [Box<dyn Surface>]) -> Self {
         Self::with(surfaces, Accelerator::for_count(surfaces.len()))
     }
 
-    /// The surfaces, found in this way; hits do not depend on it.
+    /// The surfaces with this accelerator; hits do not depend on it.
     #[must_use]
     pub fn with(surfaces: &'a [Box<dyn Surface>], accelerator: Accelerator) -> Self {
         let numbered = surfaces.iter().enumerate().zip(carriers(surfaces));
@@ -42,7 +42,7 @@ impl<'a> SurfaceList<'a> {
 
     /// The surfaces, tested with classic numerics.
     ///
-    /// Every one is tested: nothing is proven of where rounded values hit them.
+    /// Every surface is tested, because rounded hits have no proven bounds.
     #[must_use]
     pub fn classic(surfaces: &'a [Box<dyn Surface>], numerics: Numerics) -> Self {
         let numbered = surfaces.iter().enumerate();
@@ -60,7 +60,7 @@ impl<'a> SurfaceList<'a> {
         &self.primitives
     }
 
-    /// The way in which surfaces are found.
+    /// The search structure in use.
     #[must_use]
     pub fn accelerator(&self) -> Accelerator {
         match self.tree {
@@ -76,8 +76,8 @@ impl<'a> SurfaceList<'a> {
 
     /// The surface that a ray hits first, and the hit, which is not resolved yet.
     ///
-    /// Of equally near surfaces the first in the file wins. `tests` grows by the number of surfaces
-    /// that are tested.
+    /// Among equally near surfaces, the first in the file wins. `tests` grows by the number of
+    /// surfaces that are tested.
     #[must_use]
     pub fn nearest<'r>(
         &self,
@@ -139,13 +139,13 @@ fn search<'e, 'a, 'r>(
     best
 }
 
-/// A search for the surface that a ray hits first; the order of the tests does not matter.
+/// A search for the first hit of a ray; the order of the tests does not matter.
 struct Search<'e, 'a, 'r, 'b> {
     ray: &'r Ray<'r>,
     left: Option<CarrierId>,
-    /// Limits that each hit is held against.
+    /// Limits that each hit is tested against.
     limits: Option<&'r Limits<'r>>,
-    /// The distances that may still count.
+    /// The distances at which a hit would be nearer.
     span: Span,
     best: &'b mut Option<(&'e Primitive<'a>, Hit)>,
 }

@@ -1,12 +1,12 @@
-//! The share of light that passes the occluders on its way.
+//! Transmittance: the share of light that passes the occluders along a segment.
 
 use super::primitive::Primitive;
 use crate::math::{Rgb, Segment};
 
-/// The share of light along a segment that passes these occluders, which are in file order.
+/// The share of light along a segment that passes occluders, given in file order.
 ///
-/// Opaque surfaces block it. Transparent ones tint it, each once. Of surfaces on one carrier the first
-/// counts.
+/// Opaque surfaces block it. Transparent ones tint it, each once. On each carrier, only the first
+/// surface counts.
 pub(super) fn transmittance<'e, 'a: 'e>(
     occluders: impl Iterator<Item = &'e Primitive<'a>>,
     segment: &Segment,

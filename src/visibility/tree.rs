@@ -1,4 +1,4 @@
-//! The tree of boxes around surfaces.
+//! The bounding volume hierarchy of surfaces.
 
 use std::ops::ControlFlow;
 
@@ -12,9 +12,9 @@ use super::ray_slabs::RaySlabs;
 use super::split::{self, Item};
 use crate::math::{Bounds, Ray};
 
-/// Nested boxes around the surfaces that have [`PaddedBounds`]; the others are listed beside it.
+/// A hierarchy of the surfaces with [`PaddedBounds`], and a list of the others.
 ///
-/// Surfaces are referred to by their places in the list.
+/// Surfaces are numbered by their indices in the scene's list.
 #[derive(Debug)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
@@ -31,7 +31,7 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// The tree of some surfaces; it depends on nothing else.
+    /// The tree of some surfaces.
     pub(super) fn new(primitives: &[Primitive<'_>]) -> Self {
         let padded: Vec<_> = primitives.iter().map(PaddedBounds::of).collect();
         let numbered = || (0u32..).zip(&padded);
@@ -67,9 +67,11 @@ impl Tree {
         }
     }
 
-    /// Visits all surfaces that rays from a ray's origin to a ball around a lamp may hit.
+    /// Visits all surfaces that rays from a ray's origin to a lamp may hit.
     ///
-    /// `visit` says whether the others matter.
+    /// The lamp is given by a ball around it.
+    ///
+    /// `visit` returns whether the walk goes on.
     pub(super) fn walk_toward(
         &self,
         ray: &Ray,
@@ -82,8 +84,8 @@ impl Tree {
             indices.try_for_each(|index| visit(*index as usize))
         };
         visit_all(&self.unboxed)?;
-        let mut waiting = Vec::from_iter((!self.nodes.is_empty()).then_some(0));
-        while let Some(node) = waiting.pop() {
+        let mut stack = Vec::from_iter((!self.nodes.is_empty()).then_some(0));
+        while let Some(node) = stack.pop() {
             let Node { bounds, content } = &self.nodes[node as usize];
             if cone.misses(bounds) {
                 continue;
@@ -92,16 +94,16 @@ impl Tree {
                 Content::Surfaces(first, end) => {
                     visit_all(&self.inside[first as usize..end as usize])?;
                 }
-                Content::Boxes(first) => waiting.extend([first + 1, first]),
+                Content::Boxes(first) => stack.extend([first + 1, first]),
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// Visits all surfaces that a ray may hit up to a distance, the nearer boxes first.
+    /// Visits all surfaces that a ray may hit up to a distance, nearer boxes first.
     ///
-    /// `visit` takes a surface and the distance, and returns the distance up to which the others
-    /// matter, or that none does.
+    /// `visit` takes a surface and the distance. It returns the distance up to which the walk goes
+    /// on, or a break to end it.
     #[inline(always)]
     pub(super) fn walk(
         &self,
@@ -117,17 +119,17 @@ impl Tree {
         }
         let slabs = RaySlabs::new(ray, self.center, self.extent, self.sharpness);
         let enters = |node: u32| slabs.entry(&self.nodes[node as usize].bounds);
-        let mut waiting = [(0, 0.0); split::DEEPEST + 1];
+        let mut stack = [(0, 0.0); split::MAX_DEPTH + 1];
         let mut count = 0;
         if !self.nodes.is_empty()
             && let Some(distance) = enters(0)
         {
-            waiting[0] = (0, distance);
+            stack[0] = (0, distance);
             count = 1;
         }
         while count > 0 {
             count -= 1;
-            let (node, distance) = waiting[count];
+            let (node, distance) = stack[count];
             if distance > until {
                 continue;
             }
@@ -143,7 +145,7 @@ impl Tree {
                 Content::Boxes(first) => {
                     let mut push = |node, distance: Option<f64>| {
                         if let Some(distance) = distance.filter(|distance| *distance <= until) {
-                            waiting[count] = (node, distance);
+                            stack[count] = (node, distance);
                             count += 1;
                         }
                     };

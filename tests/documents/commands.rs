@@ -32,7 +32,7 @@ fn the_picture_below_the_readmes_scene_is_that_scene() {
     let options = heliodon::read::Options::default();
     let reading = heliodon::read::read_bytes("README", scene.into(), PathBuf::new(), &options);
     let scene = reading
-        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:?}", no.diagnostics))
         .scene;
     let (film, _) = heliodon::render::render(&scene, &|_| ()).expect("a possible picture");
     let shown = image::open("docs/ball.png")

@@ -76,7 +76,7 @@ fn picture(text: &str, numerics: Numerics, size: Option<[u32; 2]>) -> RgbImage {
     };
     let reading = read_bytes("scene.kdl", text.into(), "".into(), &options);
     let scene = reading
-        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:?}", no.diagnostics))
         .scene;
     let (film, _) = render(&scene, &|_| ()).expect("a picture");
     let bytes = film.bytes(scene.settings.encoding());

@@ -23,7 +23,7 @@ const SCENES: u64 = 120;
 
 fn scene(text: &str) -> Scene {
     let read = read_bytes("random", text.into(), "".into(), &Options::default());
-    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.problems));
+    let reading = read.unwrap_or_else(|no| panic!("{:?}\n{text}", no.diagnostics));
     reading.scene
 }
 
@@ -116,7 +116,7 @@ fn rays_meet_the_same_surfaces_and_lose_as_much_light() {
             let passed = Segment::new(&ray_origin, light).map(|segment| {
                 [0, 1].map(|which| {
                     let receiver = views[which].receiver(entry)?;
-                    match receiver.occlusion(&hit, &segment.ray, true) {
+                    match receiver.occlusion(&hit, &segment.ray) {
                         Occlusion::Partial(occluders) => {
                             Some(occluders.transmittance(&segment, &mut 0))
                         }
@@ -167,7 +167,7 @@ fn shares(
     seen.map(share).collect()
 }
 
-/// Places anywhere and lamps, along the axes too.
+/// `SamplePositions` anywhere and lamps, along the axes too.
 #[test]
 fn places_get_the_same_shares_of_lamps() {
     let wrong = (0..24u64).into_par_iter().filter(|seed| {
@@ -214,7 +214,7 @@ fn places_get_the_same_shares_of_lamps() {
                 }
                 let all = views.each_ref().map(|views| {
                     let receiver = views[number].receiver(entry).expect("as in the first");
-                    let occlusion = receiver.occlusion(&hit, &spawn, true);
+                    let occlusion = receiver.occlusion(&hit, &spawn);
                     shares(lamp, &occlusion, &ray_origin, hit.normal)
                 });
                 all[0] != all[1] || all[1] != all[2]

@@ -6,10 +6,24 @@ use std::fs;
 
 use support::files::{self, repository, with_slashes};
 
+use super::code::{code_of, without_tests};
+
 /// Where rays, hits and colours are computed.
-const ROOMS: [&str; 9] = [
-    "math", "surface", "accel", "light", "camera", "render", "texture", "material", "scene",
+const ROOMS: [&str; 10] = [
+    "math",
+    "geometry",
+    "surface",
+    "visibility",
+    "light",
+    "camera",
+    "render",
+    "texture",
+    "material",
+    "scene",
 ];
+
+/// The file with all bounds.
+const BOUNDS: &str = "math/error_bounds.rs";
 
 /// Literals above this are lengths, shares and counts; below it they could be tolerances.
 const SMALLEST: f64 = 1e-3;
@@ -30,7 +44,7 @@ const SMALL_WORDS: [&str; 8] = [
 struct Allowed {
     file: &'static str,
     line: &'static str,
-    /// Why it is no epsilon.
+    /// Why it is not an epsilon.
     reason: &'static str,
 }
 
@@ -56,7 +70,7 @@ const ALLOWED: [Allowed; 9] = [
         reason: "a distance that is known to be above zero stays so when it is rounded",
     },
     Allowed {
-        file: "surface/chord.rs",
+        file: "geometry/chord.rs",
         line: "t.max(f64::from_bits(1))",
         reason: "a distance that is known to be above zero stays so when it is rounded",
     },
@@ -76,9 +90,9 @@ const ALLOWED: [Allowed; 9] = [
         reason: "a light on the surface is as bright as a number can be, not infinite",
     },
     Allowed {
-        file: "scene/picture.rs",
-        line: ".or(Default::Number(0.000_98)),",
-        reason: "the default of `cut-off`, a dial that the user turns",
+        file: "scene/render_settings.rs",
+        line: "cut_off: 0.000_98,",
+        reason: "the default of `cut-off`, a setting of the user",
     },
 ];
 
@@ -172,6 +186,62 @@ fn the_document_has_all_bounds() {
     assert!(count >= 5, "only {count} bounds were found");
 }
 
+/// Every multiple of the unit roundoff has a name in one file.
+#[test]
+fn all_bounds_stand_in_one_file() {
+    let root = repository("src");
+    let mut complaints = Vec::new();
+    for (path, source) in files::sources(&root) {
+        let place = with_slashes(path.strip_prefix(&root).expect("a path in src"));
+        if place == BOUNDS {
+            continue;
+        }
+        let code = without_tests(&code_of(&source));
+        let multiples = code.lines().filter(|line| has_multiple_of_unit(line));
+        complaints.extend(multiples.map(|line| format!("src/{place}: {}", line.trim())));
+    }
+    assert!(
+        complaints.is_empty(),
+        "bounds outside of src/{BOUNDS}:\n{}",
+        complaints.join("\n")
+    );
+}
+
+#[test]
+fn the_scan_finds_multiples_of_the_unit_roundoff() {
+    for multiple in [
+        "const BOUND: f64 = 4.0 * UNIT;",
+        "size * 4.0 * crate::math::UNIT",
+        "bound + UNIT * size",
+        "size / UNIT",
+    ] {
+        assert!(has_multiple_of_unit(multiple), "{multiple}");
+    }
+    for harmless in [
+        "pub use error_bounds::UNIT;",
+        "const UNITS: [&str; 6] = [];",
+        "4.0 * UNITS",
+        "SUB_UNIT * 4.0",
+    ] {
+        assert!(!has_multiple_of_unit(harmless), "{harmless}");
+    }
+}
+
+/// Whether a line of code multiplies or divides by the unit roundoff.
+fn has_multiple_of_unit(line: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    line.match_indices("UNIT").any(|(start, name)| {
+        let (before, after) = (&line[..start], &line[start + name.len()..]);
+        if before.ends_with(is_word) || after.starts_with(is_word) {
+            return false;
+        }
+        // Without the path that may stand before the name.
+        let before = before.trim_end_matches(|c: char| is_word(c) || c == ':');
+        let times = |c: char| c == '*' || c == '/';
+        before.trim_end().ends_with(times) || after.trim_start().starts_with(times)
+    })
+}
+
 /// The sources of all rooms but the classic back ends, by their places below `src`.
 fn sources() -> Vec<(String, String)> {
     let root = repository("src");
@@ -183,7 +253,7 @@ fn sources() -> Vec<(String, String)> {
         (with_slashes(place), text)
     });
     let sources: Vec<_> = sources
-        .filter(|(place, _)| !place.starts_with("surface/classic/"))
+        .filter(|(place, _)| !place.contains("/classic/"))
         .collect();
     assert!(sources.len() > 40, "the sources were not found");
     sources
@@ -196,76 +266,6 @@ fn small_numbers(source: &str) -> Vec<String> {
         SMALL_WORDS.iter().any(|word| line.contains(word)) || has_small_literal(line)
     });
     small.map(|line| line.trim().to_owned()).collect()
-}
-
-/// The source with comments and the contents of texts taken out; lines stay lines.
-fn code_of(source: &str) -> String {
-    let mut code = String::new();
-    let mut rest = source;
-    while let Some(first) = rest.chars().next() {
-        let skipped = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            rest.find("*/").map_or(rest.len(), |end| end + 2)
-        } else if rest.starts_with("r\"") || rest.starts_with("r#") {
-            let hashes = rest[1..].chars().take_while(|c| *c == '#').count();
-            let end = format!("\"{}", "#".repeat(hashes));
-            let start = hashes + 2;
-            let length = rest.get(start..).and_then(|text| text.find(&end));
-            length.map_or(start, |length| start + length + end.len())
-        } else if first == '"' {
-            end_of_text(rest)
-        } else if let Some(escaped) = rest.strip_prefix("'\\") {
-            // What is escaped may be the quote itself.
-            let end = escaped.char_indices().skip(1).find(|(_, c)| *c == '\'');
-            end.map_or(2, |(end, _)| end + 3)
-        } else if first == '\'' && rest.chars().nth(2) == Some('\'') {
-            rest.char_indices()
-                .nth(3)
-                .map_or(rest.len(), |(end, _)| end)
-        } else {
-            code.push(first);
-            rest = &rest[first.len_utf8()..];
-            continue;
-        };
-        code.extend(rest[..skipped].chars().filter(|c| *c == '\n'));
-        rest = &rest[skipped..];
-    }
-    code
-}
-
-/// Where a text in quotes ends.
-fn end_of_text(rest: &str) -> usize {
-    let mut escaped = false;
-    for (index, c) in rest.char_indices().skip(1) {
-        match c {
-            _ if escaped => escaped = false,
-            '\\' => escaped = true,
-            '"' => return index + 1,
-            _ => {}
-        }
-    }
-    rest.len()
-}
-
-/// The code without what is made for tests only.
-fn without_tests(code: &str) -> String {
-    const MARK: &str = "#[cfg(test)]";
-    let Some((before, after)) = code.split_once(MARK) else {
-        return code.to_owned();
-    };
-    let mut depth = 0;
-    for (index, c) in after.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 && (c == '}' || c == ';') {
-            return format!("{before}{}", without_tests(&after[index + 1..]));
-        }
-    }
-    before.to_owned()
 }
 
 /// Whether a line of code has a small literal, or a quotient of two that is small.

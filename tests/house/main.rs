@@ -1,5 +1,10 @@
-//! The house: its floors, its files, its numbers and what a new surface takes.
+//! The house: its floors, its files, its words, its numbers and what a new surface takes.
 
+mod code;
 mod contributing;
 mod epsilons;
+mod imports;
 mod layers;
+mod project;
+mod words;
+mod workspace;

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Language, Options, read_file};
 use support::files::files;
 use support::texts::compare;
@@ -13,9 +13,9 @@ use support::texts::compare;
 /// What is said about a scene.
 fn words(path: &Path) -> String {
     match read_file(path, &Options::default()).expect("a file") {
-        Ok(reading) => render_problems(&reading.warnings, &reading.scene.sources, false, 100),
+        Ok(reading) => render_diagnostics(&reading.warnings, &reading.scene.sources, false, 100),
         Err(scene_error) => {
-            render_problems(&scene_error.problems, &scene_error.sources, false, 100)
+            render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100)
         }
     }
 }

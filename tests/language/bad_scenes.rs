@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Options, SceneError, read_bytes, read_file};
 use support::files::files;
 use support::texts::compare;
@@ -27,7 +27,7 @@ const SEVERAL: &[&str] = &[
 ];
 
 fn rendered(scene_error: &SceneError) -> String {
-    render_problems(&scene_error.problems, &scene_error.sources, false, 100)
+    render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100)
 }
 
 /// What is said about a scene; `None` if it is accepted.
@@ -75,7 +75,7 @@ fn one_error_is_named_for_one_mistake() {
             continue;
         }
         let read = read_file(&scene, &Options::default()).expect("a file");
-        let problems = read.expect_err("a refusal").problems;
+        let problems = read.expect_err("a refusal").diagnostics;
         let messages: Vec<_> = problems.iter().map(ToString::to_string).collect();
         assert_eq!(messages.len(), 1, "{stem}: {messages:#?}");
     }
@@ -106,7 +106,7 @@ fn what_is_nested_too_deep_is_refused_without_a_deep_stack() {
         "a /-{".repeat(30_000),
     ] {
         let text = format!("image 8 6\n{text}");
-        assert_eq!(only_message(text), "the text is nested too deep");
+        assert_eq!(only_message(text), "the text is nested too deeply");
     }
 }
 
@@ -172,7 +172,7 @@ fn long_runs_of_anything_need_neither_a_deep_stack_nor_much_time() {
 fn bytes_that_are_no_text_are_refused() {
     assert_eq!(
         only_message(b"image 8 6\n// caf\xe9\n".as_slice()),
-        "scene.kdl is not a text: line 2 is not UTF-8"
+        "line 2 of scene.kdl is not UTF-8"
     );
     let png = fs::read("textures/arrow-8x8.png").expect("a texture");
     assert_eq!(only_message(png), "scene.kdl is a picture, not a scene");

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Language, Options, Reading, read_bytes, read_file};
 use heliodon::render::render;
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn read(path: &Path) -> Reading {
     reading.unwrap_or_else(|scene_error| {
         panic!(
             "{}",
-            render_problems(&scene_error.problems, &scene_error.sources, false, 100)
+            render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100)
         )
     })
 }
@@ -35,7 +35,8 @@ fn read_kdl(text: &str) -> Reading {
     };
     let reading = read_bytes("converted.kdl", text.into(), FOLDER.into(), &options);
     reading.unwrap_or_else(|scene_error| {
-        let problems = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
+        let problems =
+            render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100);
         panic!("{problems}\n{text}")
     })
 }
@@ -299,8 +300,8 @@ proptest! {
     #[test]
     fn any_text_is_read_or_explained(text in nearly_a_scene()) {
         if let Err(scene_error) = try_to_read(&text) {
-            prop_assert!(!scene_error.problems.is_empty());
-            let text = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
+            prop_assert!(!scene_error.diagnostics.is_empty());
+            let text = render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100);
             prop_assert!(!text.is_empty());
         }
     }
@@ -317,7 +318,7 @@ proptest! {
         let text = &whole[..whole.floor_char_boundary(end)];
         if let Err(scene_error) = try_to_read(text) {
             let names_nothing_missing =
-                scene_error.problems.iter().all(|problem| !problem.message.contains("no material"));
+                scene_error.diagnostics.iter().all(|problem| !problem.message.contains("no material"));
             // The camera is the first thing in the file, the materials are before the surfaces.
             prop_assert!(names_nothing_missing);
         }

@@ -3,6 +3,7 @@
 mod bad_course;
 mod bad_scenes;
 mod course;
+mod fuzz_seeds;
 mod mutations;
 mod round_trip;
 mod scene_language;

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::render;
 use heliodon::scene::Setting;
@@ -254,8 +254,12 @@ fn run(seeds: &[Seed], index: u64) -> Outcome {
             }
         }
         Err(scene_error) => {
-            assert!(!scene_error.problems.is_empty(), "refused without a reason");
-            let said = render_problems(&scene_error.problems, &scene_error.sources, false, 100);
+            assert!(
+                !scene_error.diagnostics.is_empty(),
+                "refused without a reason"
+            );
+            let said =
+                render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100);
             assert!(
                 !said.contains(" `` "),
                 "an empty word in a message:\n{said}"

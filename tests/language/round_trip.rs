@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use heliodon::language::render_problems;
+use heliodon::language::render_diagnostics;
 use heliodon::read::{Options, Reading, read_bytes, read_file};
 use heliodon::scene::Scene;
 use support::files::{files, repository};
@@ -27,7 +27,7 @@ fn read_again(text: &str, like: &Path) -> Scene {
         Err(no) => panic!(
             "{}\n{text}\n{}",
             like.display(),
-            render_problems(&no.problems, &no.sources, false, 100)
+            render_diagnostics(&no.diagnostics, &no.sources, false, 100)
         ),
     }
 }
@@ -37,7 +37,7 @@ fn every_scene_survives_being_described() {
     for path in scenes() {
         let read = read_file(&path, &Options::default()).expect("a file");
         let scene = read
-            .unwrap_or_else(|no| panic!("{}: {:#?}", path.display(), no.problems))
+            .unwrap_or_else(|no| panic!("{}: {:#?}", path.display(), no.diagnostics))
             .scene;
         let text = described(&scene);
         let again = read_again(&text, &path);

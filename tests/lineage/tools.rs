@@ -91,7 +91,7 @@ impl Stage {
     pub(super) fn scene(&self) -> Scene {
         match self.read() {
             Ok(reading) => reading.scene,
-            Err(scene_error) => panic!("{:#?}", scene_error.problems),
+            Err(scene_error) => panic!("{:#?}", scene_error.diagnostics),
         }
     }
 
@@ -101,7 +101,7 @@ impl Stage {
         let Err(scene_error) = self.read() else {
             panic!("the scene was not refused");
         };
-        let messages = scene_error.problems.iter().map(ToString::to_string);
+        let messages = scene_error.diagnostics.iter().map(ToString::to_string);
         messages.collect::<Vec<_>>().join("\n")
     }
 

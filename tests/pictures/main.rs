@@ -4,6 +4,8 @@ mod gallery;
 mod hard_cases;
 mod lamps;
 mod metamorphic;
+mod picture_hashes;
+mod processors;
 mod refraction;
 mod sampling;
 mod texture_filters;

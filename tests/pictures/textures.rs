@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use heliodon::image_file::ImageFileError;
 use heliodon::math::Rgb;
-use heliodon::texture::{DecodeError, ImageFileError, Texture, check, decode};
+use heliodon::texture::{Texture, check, decode};
 use image::{DynamicImage, ImageFormat};
 
 /// A folder of this test's own.
@@ -11,7 +12,7 @@ fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a folder")
 }
 
-fn decoded(bytes: &[u8]) -> Result<Texture, DecodeError> {
+fn decoded(bytes: &[u8]) -> Result<Texture, ImageFileError> {
     let folder = folder();
     let path = folder.path().join("image");
     std::fs::write(&path, bytes).expect("the file can be written");
@@ -40,7 +41,7 @@ fn colors(bytes: &[u8]) -> Vec<[f64; 3]> {
 
 #[track_caller]
 fn fault(bytes: &[u8]) -> ImageFileError {
-    decoded(bytes).expect_err("no image").fault
+    decoded(bytes).expect_err("no image")
 }
 
 /// Values that a file of this largest value is made of: the first and the last, and some between.

@@ -19,7 +19,7 @@ fn warnings_from(camera: &str, text: &str) -> Vec<String> {
         {text}"#
     );
     let reading = read_bytes("scene.kdl", scene.into(), "".into(), &Options::default());
-    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.diagnostics));
     check(&reading.scene)
         .into_iter()
         .map(|problem| problem.message)

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
+use snapbox::{assert_data_eq, str};
 use support::files::files;
 use support::shell::heliodon;
 use support::texts::compare;
@@ -92,7 +93,7 @@ fn a_pixel_is_told_in_the_numbers_that_its_file_holds() {
         };
         let (text, told, code) = said(&["explain", &file, "--pixel", "400,500"]);
         assert_eq!(code, 0, "{told}");
-        let expected = format!("0.2389, in the picture {}\n", numbers.join(" "));
+        let expected = format!("0.2389, stored as {}\n", numbers.join(" "));
         assert!(text.contains(&expected), "{expected}\n{text}");
     }
 }
@@ -284,10 +285,10 @@ fn what_is_counted_for_a_small_picture_is_what_rendering_takes() {
 fn no_tree_is_promised_to_classic_numerics() {
     let scene = format!("{}/many-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
     for (picture, says) in [
-        ("", "found by a tree; a tree pays from 129 surfaces on"),
+        ("", "searched in a tree (used above 128 surfaces)"),
         (
             "numerics=\"classic\"",
-            "found by a list; numerics \"classic\" have no tree",
+            "searched one by one (numerics \"classic\" use no tree)",
         ),
     ] {
         fs::write(&scene, balls(129, picture)).expect("a scene");
@@ -297,14 +298,14 @@ fn no_tree_is_promised_to_classic_numerics() {
 }
 
 #[test]
-fn of_too_many_surfaces_it_is_said_that_nobody_knows_which_can_shadow_which() {
+fn surfaces_that_can_block_a_light_are_listed_in_small_scenes_only() {
     let scene = format!("{}/many-lit-balls.kdl", env!("CARGO_TARGET_TMPDIR"));
     for (count, is_known) in [(128, true), (129, false)] {
         let light = "light \"sun\" { location 0 50 9; emissivity 9 }\n";
         let text = balls(count, "").replace("ambient 1", "diffuse 1") + light;
         fs::write(&scene, text).expect("a scene");
-        let says = "    which surface can shadow which is worked out for 128 surfaces at most; \
-                    of more, all are searched\n";
+        let says =
+            "    the surfaces that can block it are listed in scenes of up to 128 surfaces\n";
         let (text, _, _) = said(&["explain", &scene]);
         assert_eq!(text.contains(says), !is_known, "{text}");
         let answer = answer(&["explain", &scene, "--json"]);
@@ -323,9 +324,11 @@ fn of_too_many_surfaces_it_is_said_that_nobody_knows_which_can_shadow_which() {
 fn a_pixel_outside_of_the_picture_is_refused() {
     let (_, error, code) = said(&["explain", "scenes/room.kdl", "--pixel", "800,0"]);
     assert_eq!(code, 2);
-    assert_eq!(
+    assert_data_eq!(
         error,
-        "error: scenes/room.kdl: there is no pixel 800,0 in a picture of 800 by 600; \
-         columns and rows are counted from the top left, from 0\n"
+        str![[r#"
+error: scenes/room.kdl: there is no pixel 800,0 in a picture of 800 by 600; columns and rows are counted from the top left, from 0
+
+"#]]
     );
 }

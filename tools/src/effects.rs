@@ -43,7 +43,7 @@ impl List {
             ..Options::default()
         };
         let reading = read_file(path, &options)?;
-        let reading = reading.map_err(|no| format!("{:?}", no.problems))?;
+        let reading = reading.map_err(|no| format!("{:?}", no.diagnostics))?;
         Ok(Self {
             scene: path.to_owned(),
             samples: reading.scene.settings.samples,

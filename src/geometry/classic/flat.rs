@@ -23,8 +23,8 @@ pub(super) fn plane<T: Scalar>(
 
 /// The hit on a finite plane, the chapter's `fplane_t`.
 ///
-/// The hit on the plane, less the corner, is rotated so that the plane's x-direction becomes the x-axis
-/// and its normal the z-axis; then `0 ≤ x ≤ width` and `0 ≤ y ≤ height`.
+/// The hit on the plane, less the corner, is rotated so that the plane's x-direction becomes the
+/// x-axis and its normal the z-axis. It counts if `0 ≤ x ≤ width` and `0 ≤ y ≤ height`.
 #[inline]
 pub(super) fn rectangle<T: Scalar>(
     rectangle: &Rectangle,

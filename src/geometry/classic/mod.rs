@@ -1,9 +1,10 @@
-//! The chapter's own intersection tests, in `f64` and in `f32`: the baseline of tests and costs.
+//! The chapter's own intersection tests, in `f64` and in `f32`: a baseline.
 //!
-//! Everything happens in world coordinates. A ray is `P = o + t d`. A plane is hit at
-//! `t = n·(q − o) / n·d`. A rectangle subtracts its corner from the hit, rotates the rest into its own
-//! axes and compares it with width and height. A sphere is a quadratic. A triangle has barycentric
-//! coordinates. No ray knows which surface it leaves: hits nearer than [`Scalar::OFFSET`] do not count.
+//! All tests use world coordinates. A ray is `P = o + t d`. A plane is hit at `t = n·(q − o) /
+//! n·d`. A rectangle subtracts its corner from the hit, rotates the rest into its own axes and
+//! compares it with width and height. A sphere is a quadratic. A triangle has barycentric
+//! coordinates. Hits nearer than [`Scalar::OFFSET`] do not count, so that a ray misses the surface
+//! that it leaves.
 //!
 //! Ray tracers commonly do so, and most pictures are right. The test module
 //! `weaknesses` has the cases that go wrong.
@@ -45,7 +46,7 @@ struct ClassicHit<T> {
     point: Vector<T>,
     /// The unit normal.
     normal: Vector<T>,
-    /// The offset from a rectangle's corner: the chapter's `lasthit`. Zero on other shapes.
+    /// The offset from a rectangle's corner, the chapter's `lasthit`; zero elsewhere.
     lasthit: [T; 2],
 }
 

@@ -7,11 +7,11 @@ use crate::geometry::round::Round;
 use crate::geometry::{Ellipsoid, Sphere};
 use crate::math::classic::{Scalar, Vector};
 
-/// The distances at which a line enters and leaves a ball around the origin; a touch is a miss.
+/// The distances at which a line enters and leaves a sphere around the origin.
 ///
-/// The roots of `a t² + 2 b t + c = 0` with `a = d·d`, `b = o·d`, `c = o·o − r²` (Whitted 1980, "An
-/// improved illumination model for shaded display"). Far away, `b²` and `a c` are large and nearly equal,
-/// so the discriminant `b² − a c` cancels.
+/// A line that only touches misses. The roots are those of `a t² + 2 b t + c = 0` with `a = d·d`,
+/// `b = o·d`, `c = o·o − r²` (Whitted 1980, "An improved illumination model for shaded display").
+/// Far away, `b²` and `a c` are large and nearly equal, so the discriminant `b² − a c` cancels.
 fn roots<T: Scalar>(origin: Vector<T>, dir: Vector<T>, radius: T) -> Option<[T; 2]> {
     let a = dir.dot(dir);
     let b = origin.dot(dir);
@@ -23,7 +23,7 @@ fn roots<T: Scalar>(origin: Vector<T>, dir: Vector<T>, radius: T) -> Option<[T; 
     })
 }
 
-/// The nearer root if it counts; the other one for a ray inside, if rays can be there.
+/// The nearer root if it counts; the other one for a ray that can be inside.
 fn nearest<T: Scalar>([near, far]: [T; 2], entered: bool, counts: impl Fn(T) -> bool) -> Option<T> {
     if counts(near) {
         return Some(near);
@@ -45,7 +45,7 @@ pub(super) fn sphere<T: Scalar>(
     Some(ClassicHit::new(t, point, (point - center).unit()))
 }
 
-/// The hit on an ellipsoid along the world's axes, in the space where it is the unit sphere.
+/// The hit on an ellipsoid along the world's axes, in its unit sphere's space.
 #[inline]
 pub(super) fn ellipsoid<T: Scalar>(
     ellipsoid: &Ellipsoid,

@@ -1,4 +1,4 @@
-//! The numbers that the classic algorithm is written in, and its tolerances.
+//! The numbers of the classic algorithm, and its tolerances.
 
 use std::fmt::Debug;
 
@@ -6,27 +6,25 @@ use num_traits::Float;
 
 /// A floating-point number: `f64` or `f32`.
 pub trait Scalar: Float + Debug + Send + Sync + 'static {
-    /// How far along a ray, in world units, a hit must lie to count; and how far before a light.
+    /// The least distance of a hit, and of an occluder before a light; world units.
     ///
-    /// A ray that leaves a surface finds it again at a distance that is mere rounding, so the
-    /// classic algorithm ignores what is nearer than this. Smaller, and surfaces shadow and mirror
-    /// themselves in specks; larger, and what really is near is lost: contact shadows, thin gaps,
-    /// all of a scene whose unit of length is large. No number is right for every scene, since this
-    /// one is absolute and rounding grows with the coordinates.
-    ///
-    /// These are the smallest in common use. Where coordinates are about 10 and a ray leaves a
-    /// plane at an angle of one degree, rounding is 10⁻¹³ in `f64`, for which programs have from
-    /// 10⁻³ to 10⁻⁹; it is near 10⁻⁴ in `f32`, for which they have 10⁻³ or 10⁻⁴.
+    /// A ray that leaves a surface hits it again at a distance that is mere rounding. The classic
+    /// algorithm ignores nearer hits. If the offset is too small, surfaces shadow and mirror
+    /// themselves in specks. If it is too large, contact shadows and thin gaps vanish. No number
+    /// suits every scene, because rounding grows with the coordinates.
+    // These are the smallest in common use. For coordinates of about 10 and a ray that leaves a
+    // plane at one degree, rounding is 10⁻¹³ in f64, where programs use 10⁻³ to 10⁻⁹. It is near
+    // 10⁻⁴ in f32, where programs use 10⁻³ or 10⁻⁴.
     const OFFSET: Self;
 
-    /// The determinant of a ray and a triangle's edges below which the ray counts as parallel.
+    /// The determinant, an area, below which a ray is parallel to a triangle.
     ///
-    /// It has the unit of an area. Smaller, and the quotients by it are noise; larger, and small
-    /// triangles vanish. Published programs have from 10⁻⁶ (Möller and Trumbore 1997) down to the
-    /// machine's own epsilon, which is taken here.
+    /// If it is too small, the quotients are noise. If it is too large, small triangles vanish.
+    /// Published programs use from 10⁻⁶ (Möller and Trumbore 1997) down to the machine epsilon, the
+    /// value here.
     const PARALLEL: Self;
 
-    /// The nearest number of this kind.
+    /// The nearest number of this type.
     fn of(number: f64) -> Self;
 
     /// The same number in 64 bits.
@@ -38,8 +36,9 @@ pub trait Scalar: Float + Debug + Send + Sync + 'static {
     /// The angle with this sine, the same on every machine.
     fn angle_of_sine(sine: Self) -> Self;
 
-    /// C's `(int)`: towards zero. What C leaves undefined is the nearest `int`, and 0 for
-    /// not-a-number.
+    /// C's `(int)`: towards zero.
+    ///
+    /// Cases that C leaves undefined give the nearest `int`, and 0 for not-a-number.
     #[expect(
         clippy::cast_possible_truncation,
         reason = "dropping the fraction is meant; casts from float saturate"

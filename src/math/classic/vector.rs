@@ -50,7 +50,7 @@ impl<T: Scalar> Vector<T> {
         }
     }
 
-    /// Divided component by component.
+    /// The quotient, component by component.
     #[must_use]
     pub fn over(self, other: Self) -> Self {
         Self {

@@ -1,14 +1,13 @@
-//! The decimal number that a double was written as.
+//! The decimal number from which a double was read.
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// The shortest decimal that reads as this double, as an exact fraction; zero for what is not
-/// finite.
+/// The shortest decimal that reads as this double, as a fraction; 0 if not finite.
 ///
-/// A scene file says 0.1, 0.2 and 0.3, of which none is a double, and means 0.1 + 0.2 = 0.3. Every
-/// decimal of up to 15 digits is the shortest that reads as its double, so it comes back as it
-/// was written; of longer ones the digits beyond the double's precision are lost.
+/// A scene file says 0.1, 0.2 and 0.3, of which none is a double, and means 0.1 + 0.2 = 0.3. A
+/// decimal of up to 15 digits is the shortest that reads as its double, so it keeps its value.
+/// Longer ones lose the digits beyond the double's precision.
 #[must_use]
 pub fn decimal(number: f64) -> RBig {
     const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0; // 2^53

@@ -1,22 +1,23 @@
-//! How far along a ray a surface is, exactly.
+//! Exact distances along a ray.
 
 use std::cmp::Ordering;
 
 use super::{Exact, Sign};
 
-/// A distance along a ray: `(whole ± √square) / divisor`, the form of the roots of a quadratic
-/// equation and, without the root, of a quotient.
+/// A distance along a ray: `(whole ± √square) / divisor`.
+///
+/// This is the form of a root of a quadratic equation and, without the root, of a quotient.
 #[derive(Debug, Clone)]
 pub struct Distance {
     whole: Exact,
-    /// Whether the square root is added or taken off.
+    /// The sign of the square root.
     root: Sign,
     square: Exact,
     divisor: Exact,
 }
 
 impl Distance {
-    /// `height / slope`: the distance of a plane; the slope is not zero.
+    /// `height / slope`: the distance of a plane. The slope is not zero.
     #[must_use]
     pub fn quotient(height: Exact, slope: Exact) -> Self {
         let (whole, divisor) = match slope.sign() {
@@ -54,7 +55,8 @@ impl Distance {
     /// The order of two distances.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
-        // Of p₁/a₁ ± √x₁/a₁ and p₂/a₂ ± √x₂/a₂, multiplied by both divisors, which are positive.
+        // Compares p₁/a₁ ± √x₁/a₁ with p₂/a₂ ± √x₂/a₂ after multiplication by both divisors, which
+        // are positive.
         let rational = &(&self.whole * &other.divisor) - &(&other.whole * &self.divisor);
         let ours = &self.square * &other.divisor.squared();
         let theirs = &other.square * &self.divisor.squared();
@@ -66,7 +68,7 @@ impl Distance {
     }
 }
 
-/// The sign of `rational ± √first ± √second`, by squaring away one root after the other.
+/// The sign of `rational ± √first ± √second`, found by squaring.
 fn sign_of_sum(
     rational: &Exact,
     (of_first, first): (Sign, &Exact),
@@ -80,9 +82,9 @@ fn sign_of_sum(
     if sign == Sign::Zero {
         return roots;
     }
-    // The two parts pull in opposite directions: compare rational² with (√first ± √second)², which
-    // is first + second ± 2 √(first·second). With `rest` = rational² − first − second, the larger
-    // part is the rational one exactly if rest > ±2 √(first·second).
+    // The two parts have opposite signs: compare rational² with (√first ± √second)², which is
+    // first + second ± 2 √(first·second). With `rest` = rational² − first − second, the rational
+    // part is larger exactly if rest > ±2 √(first·second).
     let rest = &(&rational.squared() - first) - second;
     let product = &(first * second) * &Exact::from(4.0);
     let mixed = of_first * of_second * product.sign();

@@ -1,4 +1,4 @@
-//! Numbers without rounding: for the few decisions that doubles cannot take, and for loading.
+//! Numbers without rounding, for loading and for close decisions.
 
 mod decimal;
 mod distance;

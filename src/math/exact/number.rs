@@ -1,4 +1,4 @@
-//! A number held exactly.
+//! Numbers without rounding.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -7,26 +7,26 @@ use dashu_int::ops::BitTest;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// A whole number times a power of two: every finite double, and all their sums and products.
+/// A whole number times a power of two: finite doubles, their sums and products.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Exact {
     significand: IBig,
     exponent: i64,
 }
 
-/// The sign of a number that is known for certain.
+/// The certain sign of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sign {
     /// Below zero.
     Negative,
-    /// Zero itself.
+    /// Zero.
     Zero,
     /// Above zero.
     Positive,
 }
 
 impl Exact {
-    /// Nothing.
+    /// Zero.
     pub const ZERO: Self = Self {
         significand: IBig::ZERO,
         exponent: 0,
@@ -48,8 +48,9 @@ impl Exact {
         self * self
     }
 
-    /// A double near the number: right to about 60 bits before its one last rounding, and infinite
-    /// beyond the doubles.
+    /// A double near the number: right to about 60 bits before its last rounding.
+    ///
+    /// Infinite beyond the range of doubles.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         const KEPT: i64 = 60;
@@ -89,7 +90,7 @@ impl Exact {
 }
 
 impl From<f64> for Exact {
-    /// The number that a finite double stands for; zero for others, which no scene holds.
+    /// The exact value of a finite double; zero for others, which no scene holds.
     fn from(number: f64) -> Self {
         const FRACTION: u64 = (1 << 52) - 1;
         const SMALLEST_EXPONENT: i64 = -1074;
@@ -170,7 +171,7 @@ impl Mul for &Exact {
 }
 
 impl Sign {
-    /// The sign of a double that is not in doubt.
+    /// The sign of a double that is certain.
     #[must_use]
     pub fn of(number: f64) -> Self {
         if number > 0.0 {
@@ -215,8 +216,8 @@ mod tests {
     fn nothing_is_lost() {
         let tenth = Exact::from(0.1);
         let sum = &(&tenth + &tenth) + &tenth;
-        // In doubles 0.1 + 0.1 + 0.1 is 0.30000000000000004; exactly it is above the double 0.3 too,
-        // but by less than one rounding.
+        // In doubles 0.1 + 0.1 + 0.1 is 0.30000000000000004; exactly it is above the double 0.3
+        // too, but by less than one rounding.
         assert_eq!((&sum - &Exact::from(0.3)).sign(), Sign::Positive);
         assert_eq!(
             (&sum - &Exact::from(0.1 + 0.1 + 0.1)).sign(),

@@ -1,4 +1,4 @@
-//! Vectors of fractions, for building frames and finding shared edges at load.
+//! Vectors of fractions, for frames and shared borders at load.
 
 use std::ops::{Add, Sub};
 
@@ -14,7 +14,7 @@ use super::decimal;
 pub struct RationalVector(pub [RBig; 3]);
 
 impl RationalVector {
-    /// The vector that the decimals of a scene mean.
+    /// The vector of the decimals of a scene.
     #[must_use]
     pub fn of_decimals(vector: DVec3) -> Self {
         Self(vector.to_array().map(decimal))
@@ -40,13 +40,13 @@ impl RationalVector {
         Self(std::array::from_fn(|axis| &self.0[axis] * factor))
     }
 
-    /// The largest component without its sign, rounded.
+    /// The largest absolute value of a component, rounded.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.rounded().abs().max_element()
     }
 
-    /// Whether all components but one are zero.
+    /// Returns whether all components but one are zero.
     #[must_use]
     pub fn is_along_an_axis(&self) -> bool {
         self.0
@@ -56,20 +56,21 @@ impl RationalVector {
             == 1
     }
 
-    /// Whether it has no length.
+    /// Returns whether all components are zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.iter().all(RBig::is_zero)
     }
 
-    /// The length, and whether it is exact: it is if it is a fraction, else it has 256 bits.
+    /// The length, and whether it is exact; if it is no fraction, it has 256 bits.
     #[must_use]
     pub fn length(&self) -> (RBig, bool) {
         square_root(&self.dot(self))
     }
 
-    /// The vector of this direction whose first component that is not zero is 1, and whether it
-    /// had to be turned around; the zero vector stays.
+    /// The parallel vector whose first component other than zero is 1.
+    ///
+    /// The second value is true if it points the opposite way. The zero vector stays.
     #[must_use]
     pub fn canonical(&self) -> (Self, bool) {
         match self.0.iter().find(|component| !component.is_zero()) {
@@ -84,11 +85,11 @@ impl RationalVector {
         }
     }
 
-    /// The unit vector of this direction, every component rounded once; zero if this is zero.
+    /// The parallel unit vector, each component rounded once; zero if this is zero.
     #[must_use]
     pub fn unit(&self) -> DVec3 {
         let [x, y, z] = &self.0;
-        // Along an axis, as most vectors of scenes are, there is nothing to compute.
+        // Most vectors of scenes are along an axis and need no computation.
         match (x.is_zero(), y.is_zero(), z.is_zero()) {
             (false, true, true) => return DVec3::X * signum(x),
             (true, false, true) => return DVec3::Y * signum(y),
@@ -102,7 +103,7 @@ impl RationalVector {
         self.times(&(RBig::ONE / length)).rounded()
     }
 
-    /// The shortest vector of whole numbers of this direction; `None` if doubles cannot hold it.
+    /// The shortest parallel vector of whole numbers; `None` if doubles cannot hold it.
     #[must_use]
     pub fn whole(&self) -> Option<DVec3> {
         const LARGEST: f64 = 9_007_199_254_740_992.0; // 2^53
@@ -147,8 +148,9 @@ fn rounded(number: &RBig) -> f64 {
     number.to_f64().value()
 }
 
-/// The square root, and whether it is exact: it is if it is a fraction, else it has 256 bits. Zero
-/// for what is not positive.
+/// The square root, and whether it is exact; if it is no fraction, it has 256 bits.
+///
+/// Zero for a number that is not positive.
 fn square_root(number: &RBig) -> (RBig, bool) {
     const BITS: usize = 256;
     if number <= &RBig::ZERO {
@@ -162,7 +164,7 @@ fn square_root(number: &RBig) -> (RBig, bool) {
         let root = RBig::from_parts(root_of_numerator.into(), root_of_denominator);
         return (root, true);
     }
-    // √(n/d) = √(n·d)/d, with enough zeros behind n·d that its root has as many bits as asked.
+    // √(n/d) = √(n·d)/d, with enough zeros behind n·d that its root has the bits.
     let product = numerator * &denominator;
     let lacking = (2 * BITS).saturating_sub(product.bit_len()).div_ceil(2);
     let root = (product << (2 * lacking)).sqrt();

@@ -1,4 +1,4 @@
-//! A vector held exactly.
+//! Vectors without rounding.
 
 use std::ops::{Add, Sub};
 
@@ -11,7 +11,7 @@ use super::{Exact, RationalVector};
 pub struct ExactVector([Exact; 3]);
 
 impl ExactVector {
-    /// The eight corners of the box that reaches so far from a centre along each axis.
+    /// The eight corners of the box around a centre with these half sizes.
     #[must_use]
     pub fn box_around(center: DVec3, reach: DVec3) -> Vec<Self> {
         let sign = |bit: u8, corner: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
@@ -46,7 +46,7 @@ impl ExactVector {
         ])
     }
 
-    /// The unit vector of this direction, every component rounded once; zero if this is zero.
+    /// The parallel unit vector, each component rounded once; zero if this is zero.
     #[must_use]
     pub fn unit(&self) -> DVec3 {
         RationalVector(std::array::from_fn(|axis| self.0[axis].to_rational())).unit()

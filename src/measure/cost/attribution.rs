@@ -19,7 +19,7 @@ pub struct OwnError {
     pub rmse: f64,
 }
 
-/// Places where a setting causes errors, at the value whose error is largest.
+/// `Places` where a setting causes errors, at the value whose error is largest.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Breakdown {
     /// The setting.

@@ -22,7 +22,7 @@ pub(super) fn written(film: &Film, settings: RenderSettings) -> Film {
     let mut written = film.clone();
     for pixel in written.pixels_mut() {
         let channels = pixel.channels();
-        let [r, g, b] = channels.map(|it| settings.depth.shown(it, settings.encoding()));
+        let [r, g, b] = channels.map(|it| settings.depth.displayed(it, settings.encoding()));
         *pixel = Rgb::new(r, g, b);
     }
     written

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::choice::most_accurate;
-use super::dial::{DIALS, Dial};
 use super::measurement::Measurement;
+use super::varied::VARIED;
 use crate::measure::Timing;
+use crate::scene::SettingKind;
 
 /// Relation of the own error of a setting and its time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,21 +54,21 @@ const ALIKE_ONCE: f64 = 1.5;
 
 /// Laws of all settings that are varied alone; `noise` is the RMSE of the reference.
 pub(super) fn all(steps: &[Measurement], noise: f64) -> Vec<Law> {
-    let is_varied = |dial: &&Dial| {
+    let is_varied = |kind: &&SettingKind| {
         let mut varied = steps.iter().filter(|step| step.setting.is_some());
-        varied.any(|step| step.own(dial.word).is_some())
+        varied.any(|step| step.own(kind.word).is_some())
     };
-    let varied = DIALS.iter().filter(is_varied);
-    varied.filter_map(|dial| law(dial, steps, noise)).collect()
+    let varied = VARIED.into_iter().filter(is_varied);
+    varied.filter_map(|kind| law(kind, steps, noise)).collect()
 }
 
-fn law(dial: &Dial, steps: &[Measurement], noise: f64) -> Option<Law> {
+fn law(kind: &SettingKind, steps: &[Measurement], noise: f64) -> Option<Law> {
     let own = steps
         .iter()
-        .filter_map(|step| Some((step, step.own(dial.word)?)));
+        .filter_map(|step| Some((step, step.own(kind.word)?)));
     let own: Vec<_> = own.collect();
     // The noise of the reference is in errors against it alone.
-    let noise = if dial.by_reference { noise } else { 0.0 };
+    let noise = if kind.by_reference { noise } else { 0.0 };
     let best = most_accurate(own.iter().map(|(step, own)| (*step, own.rmse)), noise)?;
     let points = own.iter().filter_map(|(step, own)| {
         let (time, value, error) = (step.cpu, own.value?, own.rmse);
@@ -77,7 +78,7 @@ fn law(dial: &Dial, steps: &[Measurement], noise: f64) -> Option<Law> {
     });
     let points: Vec<_> = points.collect();
     Some(Law {
-        setting: dial.word,
+        setting: kind.word,
         most_accurate: best.label.clone(),
         trade: if own.iter().any(|(_, own)| own.value.is_none()) {
             Trade::Words
@@ -204,8 +205,8 @@ mod tests {
         })
     }
 
-    fn samples() -> &'static Dial {
-        Dial::of("samples").expect("a setting")
+    fn samples() -> &'static SettingKind {
+        SettingKind::varied("samples").expect("a setting")
     }
 
     #[test]
@@ -225,7 +226,7 @@ mod tests {
             panic!("no power");
         };
         assert!((of_time + 1.0).abs() < 1e-9 && (of_value + 2.0).abs() < 1e-9);
-        let pattern = Dial::of("pattern").expect("a setting");
+        let pattern = SettingKind::varied("pattern").expect("a setting");
         assert_eq!(super::law(pattern, &steps, 0.0), None, "it was not varied");
     }
 

@@ -3,18 +3,18 @@
 use serde::Serialize;
 
 use super::attribution::{Breakdown, OwnError};
-use super::dial::{DIALS, Dial};
 use super::draw::{draw, written};
 use super::features::FeatureMap;
 use super::pictures::Pictures;
 use super::reference::Reference;
 use super::sweep::{Step, Sweep};
+use super::varied::VARIED;
 use crate::film::Film;
 use crate::language::ValueError;
 use crate::measure::deviation::{rmse, share_within};
 use crate::measure::{Deviation, Timing};
 use crate::render::Counts;
-use crate::scene::Scene;
+use crate::scene::{Scene, SettingKind};
 
 /// Time and error of one step.
 #[derive(Debug, Clone, Serialize)]
@@ -47,7 +47,7 @@ pub struct Measurement {
     /// Label of a step at least as accurate and as fast, and better in one of them; `None` on the
     /// Pareto front.
     pub dominated_by: Option<String>,
-    /// Places of the errors of each setting that is varied.
+    /// `Places` of the errors of each setting that is varied.
     #[serde(skip)]
     pub(super) breakdowns: Vec<Breakdown>,
     /// Picture and errors, if they were asked for.
@@ -70,19 +70,20 @@ impl Measurement {
     /// Adds the own error of each setting of which this is a step, and its places.
     fn attribute(&mut self, step: &Step, film: &Film, truth: &Truth) {
         let properties = step.settings.describe();
-        for dial in Dial::all() {
-            let is_varied = step.varies(dial.word);
+        for kind in VARIED {
+            let is_varied = step.varies(kind.word);
             // The scene as it is counts as a step of each setting that is varied alone.
-            let is_base = step.changes.is_empty() && dial.beside.is_empty() && !dial.in_writing;
+            let is_base =
+                step.changes.is_empty() && kind.together_with.is_empty() && !kind.in_writing;
             let value = properties
-                .property(dial.word)
+                .property(kind.word)
                 .filter(|_| is_varied || is_base);
-            let (Some(value), Some(best)) = (value, truth.best_for(dial)) else {
+            let (Some(value), Some(best)) = (value, truth.best_for(kind)) else {
                 continue;
             };
             let own = OwnError {
-                setting: dial.word,
-                text: step.text_of(dial.word, &value),
+                setting: kind.word,
+                text: step.text_of(kind.word, &value),
                 value: value.text().is_empty().then(|| value.number()),
                 rmse: rmse(film, best),
             };
@@ -133,17 +134,17 @@ impl Truth {
             None => Reference::automatic(scene, sweep)?,
         };
         let mut best = Vec::new();
-        for dial in DIALS.iter().filter(|dial| !dial.by_reference) {
-            let varied = sweep.0.iter().find(|step| step.varied == Some(dial.word));
+        for kind in VARIED.iter().filter(|kind| !kind.by_reference) {
+            let varied = sweep.0.iter().find(|step| step.varied == Some(kind.word));
             let Some(step) = varied else { continue };
             // Before it is written, a picture is at its best for settings of the writing.
-            let settings = match dial.best() {
-                _ if dial.in_writing => scene.settings,
+            let settings = match kind.best() {
+                _ if kind.in_writing => scene.settings,
                 Some(best) => step.settings.with(&best),
                 None => step.settings,
             };
             let (film, _) = draw(scene, settings)?;
-            best.push((dial.word, film.shown(settings.transfer)));
+            best.push((kind.word, film.displayed(settings.transfer)));
         }
         Ok(Self {
             reference,
@@ -153,9 +154,9 @@ impl Truth {
     }
 
     /// The picture that tells the own error of a setting.
-    fn best_for(&self, dial: &Dial) -> Option<&Film> {
-        let best = self.best.iter().find(|(word, _)| *word == dial.word);
-        let reference = dial.by_reference.then_some(&self.reference.film);
+    fn best_for(&self, kind: &SettingKind) -> Option<&Film> {
+        let best = self.best.iter().find(|(word, _)| *word == kind.word);
+        let reference = kind.by_reference.then_some(&self.reference.film);
         best.map(|(_, film)| film).or(reference)
     }
 }
@@ -170,7 +171,7 @@ pub(super) fn compared(
     let film = if step.is_as_written() {
         written(&film, step.settings)
     } else {
-        film.shown(step.settings.transfer)
+        film.displayed(step.settings.transfer)
     };
     let reference = &truth.reference;
     let (deviation, pictures) = rayon::join(

@@ -6,7 +6,6 @@
 mod attribution;
 mod choice;
 mod csv;
-mod dial;
 mod draw;
 mod features;
 mod front;
@@ -19,11 +18,11 @@ mod reference;
 mod run;
 mod sweep;
 mod table;
+mod varied;
 mod words;
 
 pub use attribution::{Breakdown, FeatureShare, OwnError, SurfaceShare};
 pub use choice::{Best, Limit};
-pub use dial::{DIALS, Dial};
 pub use features::Feature;
 pub use law::{Law, Trade, exponent};
 pub use measurement::Measurement;

@@ -1,8 +1,8 @@
 //! Results as a plot of error against time.
 
-use super::dial::DIALS;
 use super::measurement::Measurement;
 use super::run::Cost;
+use super::varied::VARIED;
 use crate::measure::plot::{Dot, Scatter};
 use crate::measure::text::{duration, percent};
 
@@ -44,8 +44,8 @@ fn dot<'a>(step: &'a Measurement, no_setting: &'a str) -> Dot<'a> {
 
 /// Number of the colour of the setting that is varied.
 pub(super) fn hue(step: &Measurement) -> Option<usize> {
-    let mut dials = DIALS.iter();
-    dials.position(|dial| Some(dial.word) == step.setting)
+    let mut varied = VARIED.iter();
+    varied.position(|kind| Some(kind.word) == step.setting)
 }
 
 /// Results of a step in lines.

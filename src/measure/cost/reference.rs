@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::dial::best_of;
 use super::draw::draw;
 use super::sweep::Sweep;
+use super::varied::best_of;
 use crate::film::{Film, Transfer};
 use crate::language::ValueError;
 use crate::measure::deviation::rmse;
@@ -56,7 +56,7 @@ impl Reference {
         let [one, other] = [half(counts[0])?, half(counts[1])?];
         let [weight, other_weight] = counts.map(f64::from);
         let film = mixed(&one, &other, weight / (weight + other_weight));
-        let [one, other] = [one, other].map(|half| half.shown(best.transfer));
+        let [one, other] = [one, other].map(|half| half.displayed(best.transfer));
         let uncertainty = Uncertainty {
             rmse: rmse(&one, &other) / 2.0,
             largest: Change::between(&one, &other).largest / 2.0,
@@ -64,7 +64,7 @@ impl Reference {
         let samples: u32 = counts.iter().sum();
         let about = format!("{samples} samples in two halves, every setting at its best");
         Ok(Self::new(
-            film.shown(best.transfer),
+            film.displayed(best.transfer),
             about,
             Some(uncertainty),
         ))
@@ -75,7 +75,7 @@ impl Reference {
     /// # Errors
     /// Describes what is wrong with the file.
     pub fn from_file(path: &Path, size: [u32; 2], transfer: Transfer) -> Result<Self, String> {
-        let film = Film::read(path, transfer)?;
+        let film = Film::read(path, transfer).map_err(|error| error.to_string())?;
         let [width, height] = size;
         let [own_width, own_height] = [film.width(), film.height()];
         if [own_width, own_height] != size.map(|side| side as usize) {

@@ -5,13 +5,13 @@ use serde_json::Value;
 
 use super::attribution::Breakdown;
 use super::choice::{self, Best, Limit};
-use super::dial::DIALS;
 use super::draw::draw;
 use super::front;
 use super::law::{self, Law};
 use super::measurement::{Measurement, Times, Truth, compared};
 use super::reference::Reference;
 use super::sweep::Sweep;
+use super::varied::VARIED;
 use crate::language::ValueError;
 use crate::measure::clock::timed_in_all_threads;
 use crate::measure::{Timing, aliases};
@@ -32,7 +32,7 @@ pub struct Cost {
     pub steps: Vec<Measurement>,
     /// Relation of error and time, for each setting.
     pub laws: Vec<Law>,
-    /// Places of errors in the picture, for each setting at its worst.
+    /// `Places` of errors in the picture, for each setting at its worst.
     pub breakdowns: Vec<Breakdown>,
     /// The recommended step.
     pub recommended: Best,
@@ -153,9 +153,9 @@ fn worst_of_each(steps: &[Measurement]) -> Vec<Breakdown> {
         all.max_by(|one, other| one.error.total_cmp(&other.error))
             .cloned()
     };
-    DIALS
+    VARIED
         .iter()
-        .filter_map(|dial| of_setting(dial.word))
+        .filter_map(|kind| of_setting(kind.word))
         .collect()
 }
 

@@ -1,11 +1,10 @@
 //! Settings that are tried.
 
-use super::dial::Dial;
-use crate::camera::Pattern;
-use crate::film::{BitDepth, Rounding};
+use super::varied::VARIED;
+use crate::film::BitDepth;
 use crate::language::{Value, ValueError};
 use crate::plan::Effect;
-use crate::scene::{RenderSettings, Setting};
+use crate::scene::{RenderSettings, Setting, SettingKind};
 
 /// Steps in the order in which they are tried; the first is the scene as it is.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,8 +50,8 @@ impl Variation {
             })
         });
         let settings = settings.collect::<Result<_, _>>()?;
-        if Dial::of(word).is_none() {
-            let known: Vec<_> = Dial::all().map(|dial| dial.word).collect();
+        if SettingKind::varied(word).is_none() {
+            let known = VARIED.map(|kind| kind.word);
             return Err(format!(
                 "{word} does not trade accuracy for time; expected one of {} before =",
                 known.join(", ")
@@ -67,12 +66,16 @@ impl Sweep {
     #[must_use]
     pub fn of(base: RenderSettings, on: &[Effect]) -> Self {
         let mut sweep = Self::starting_at(base);
-        for dial in Dial::all().filter(|dial| dial.matters(on)) {
-            for value in dial.steps {
-                let all = dial.beside.iter().copied().chain([(dial.word, *value)]);
+        for kind in VARIED.into_iter().filter(|kind| kind.matters(on)) {
+            for value in kind.steps {
+                let all = kind
+                    .together_with
+                    .iter()
+                    .copied()
+                    .chain([(kind.word, *value)]);
                 let changes = all.filter_map(|(word, text)| Setting::new(word, text).ok());
                 // A value that the scene's other settings forbid is left out.
-                let _ = sweep.add(base, Some(dial.word), changes.collect());
+                let _ = sweep.add(base, Some(kind.word), changes.collect());
             }
         }
         sweep
@@ -160,8 +163,7 @@ impl Sweep {
 impl Step {
     /// True if its picture is compared as it is written, in code values.
     pub(super) fn is_as_written(&self) -> bool {
-        let dials = self.changes.iter().map(|setting| Dial::of(setting.word()));
-        dials.flatten().any(|dial| dial.in_writing)
+        self.changes.iter().any(|setting| setting.kind().in_writing)
     }
 
     /// Text of a setting's value: as given by the user, else as the scene would give it.
@@ -196,12 +198,12 @@ fn visible(settings: RenderSettings) -> RenderSettings {
     // rays that `max-error` adds have a pattern of their own.
     let rounding = match settings.depth {
         BitDepth::Eight | BitDepth::Sixteen => settings.rounding,
-        BitDepth::Float => Rounding::default(),
+        BitDepth::Float => RenderSettings::DEFAULT.rounding,
     };
     let pattern = if settings.samples > 1 && settings.max_error == 0.0 {
         settings.pattern
     } else {
-        Pattern::default()
+        RenderSettings::DEFAULT.pattern
     };
     RenderSettings {
         rounding,

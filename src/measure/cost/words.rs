@@ -140,7 +140,7 @@ impl Law {
 }
 
 impl Breakdown {
-    /// Places of the error after the setting and its value.
+    /// `Places` of the error after the setting and its value.
     fn words(&self) -> String {
         let shares = self.features.iter().filter(|share| share.error >= 0.01);
         let shares = shares.take(3).map(|share| {

@@ -1,4 +1,4 @@
-//! Places for labels that cover neither dots nor each other.
+//! `Places` for labels that cover neither dots nor each other.
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! The course's entities, as data.
+//! The course's entities as data.
 
 use super::words::{Entity, Role, Word};
 use crate::camera::View;
@@ -9,7 +9,7 @@ use crate::scene::RenderSettings;
 use crate::surface::{Plain, ProceduralPlane, Textured, TiledPlane};
 use crate::texture::Texture;
 
-/// The entities that are understood.
+/// The supported entities.
 pub(super) const ENTITIES: &[Entity] = &[
     Entity::new("camera", &View::SCHEMA, &[CAMERA]),
     Entity::new("material", &Material::SCHEMA, &[MATERIAL]),
@@ -49,7 +49,12 @@ pub(super) const ENTITIES: &[Entity] = &[
     .without("shader", &Plain::PLANE),
 ];
 
-/// The entities that are known but not drawn, and what comes near to them.
+/// The supported entity with this word.
+pub(super) fn find(word: &str) -> Option<&'static Entity> {
+    ENTITIES.iter().find(|entity| entity.word == word)
+}
+
+/// The entities that are not supported, and a substitute for each.
 pub(super) const UNSUPPORTED: &[(&str, &str)] = &[
     ("psphere", "a plain `sphere`"),
     ("pfplane", "a plain `fplane`"),
@@ -71,7 +76,7 @@ const CAMERA: &[Word] = &[
     Word::new("viewpoint"),
 ];
 
-/// Colours have three numbers; only of `specular` some courses had one.
+/// Colours have three numbers. Some courses had one number for `specular`.
 const MATERIAL: &[Word] = &[
     Word::new("ambient").takes_a(Takes::Triple).optional(),
     Word::new("diffuse").takes_a(Takes::Triple).optional(),
@@ -121,7 +126,7 @@ const ROUND: &[Word] = &[
     Word::new("scale").optional(),
 ];
 
-/// Some courses' triangles were planes, and gave a plane's attributes too.
+/// In some courses triangles were planes and had a plane's attributes.
 const CORNERS: &[Word] = &[
     Word::new("vertex1"),
     Word::new("vertex2"),
@@ -149,7 +154,7 @@ const SHADER: &[Word] = &[
         .optional(),
 ];
 
-/// Every author counted formulas in another way.
+/// The numbers of formulas differed between programs.
 const PROCEDURE: Takes = Takes::Number(Range::Whole(0, u32::MAX));
 
 #[cfg(test)]

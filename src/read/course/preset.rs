@@ -1,15 +1,15 @@
-//! What the courses' programs did without being told; nodes say it, so that nothing is hidden.
+//! The implicit settings of the courses' programs, as explicit nodes.
 
-use super::entity::Block;
+use super::block::Block;
 use crate::camera::View;
 use crate::language::Node;
 use crate::scene::{Lighting, RenderSettings};
 
-/// The picture, the camera and the light's reach.
+/// The nodes of the picture, the camera and the lighting.
 ///
-/// Without a camera, which is then a mistake already, they stand for one that is not understood.
+/// They are invalid if the camera is missing or has errors.
 pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
-    /// How far a ray can come.
+    /// The longest path from the eye to a ray's origin.
     const REACH: f64 = 20.0;
     let given = |means| camera.and_then(|camera| camera.find(means));
     let mut picture = Node::new(&RenderSettings::SCHEMA, None)
@@ -25,7 +25,7 @@ pub(super) fn head(camera: Option<&Block>) -> [Node; 3] {
     for node in [&mut picture, &mut view] {
         node.word = "camera";
         node.location = camera.map(|camera| camera.head);
-        node.sound = camera.is_some_and(|camera| camera.sound);
+        node.valid = camera.is_some_and(|camera| camera.valid);
     }
     [
         picture,

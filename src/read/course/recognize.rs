@@ -1,4 +1,4 @@
-//! Which language a text is written in.
+//! Recognition of the course's block grammar.
 
 /// Attributes and entities that only the course's scenes have.
 const COURSE_WORDS: &[&str] = &[
@@ -18,21 +18,21 @@ const COURSE_WORDS: &[&str] = &[
     "filename",
 ];
 
-/// Nodes that every scene in KDL has, at least one of them.
+/// Nodes of which each KDL scene has at least one.
 const KDL_WORDS: &[&str] = &["image", "include"];
 
-/// Whether a text is written in the block grammar.
+/// True if a text is written in the block grammar.
 ///
-/// Only words that begin a statement count: those after a line's start, a brace or a semicolon.
+/// It depends on words that begin a statement: after the start of a line, a brace or a semicolon.
 pub(in crate::read) fn looks_like(text: &str) -> bool {
-    let words = words(text);
-    let begins_with = |known: &[&str], [word, next, _]: [&str; 3]| {
-        known.contains(&word) && !next.is_empty() && next != "{"
-    };
-    if statements(&words).any(|statement| begins_with(KDL_WORDS, statement)) {
-        return false;
-    }
-    statements(&words).any(|[word, next, after]| {
+    let statements = statements(text);
+    let mut heads = statements.iter().map(|statement| {
+        let word = |index: usize| statement.get(index).copied().unwrap_or_default();
+        [word(0), word(1), word(2)]
+    });
+    let is_kdl =
+        |[word, next, _]: [&str; 3]| KDL_WORDS.contains(&word) && !next.is_empty() && next != "{";
+    let is_course = |[word, next, after]: [&str; 3]| {
         let has_bare_name = !(next.is_empty() || next.starts_with(['{', '"', '#']));
         match word {
             // In KDL a camera has no name, and a texture no braces.
@@ -40,50 +40,15 @@ pub(in crate::read) fn looks_like(text: &str) -> bool {
             "texture" => has_bare_name && after == "{",
             other => COURSE_WORDS.contains(&other),
         }
-    })
-}
-
-/// The first three words of every statement, empty where there are fewer.
-fn statements<'a>(words: &'a [Word<'a>]) -> impl Iterator<Item = [&'a str; 3]> {
-    words
-        .iter()
-        .enumerate()
-        .filter(|(_, word)| word.begins)
-        .map(|(index, word)| {
-            let same_statement = |index: usize| {
-                let word = words.get(index).filter(|word| !word.begins);
-                word.map_or("", |word| word.text)
-            };
-            [
-                word.text,
-                same_statement(index + 1),
-                same_statement(index + 2),
-            ]
-        })
-}
-
-/// A word, a brace, or a mark that stands for a string.
-#[derive(Debug, Clone, Copy)]
-struct Word<'a> {
-    text: &'a str,
-    /// Whether it is the first of a statement in KDL.
-    begins: bool,
-}
-
-impl Word<'_> {
-    const STRING: Self = Self {
-        text: "\"",
-        begins: false,
     };
-    const BRACE: Self = Self {
-        text: "{",
-        begins: false,
-    };
+    !heads.clone().any(is_kdl) && heads.any(is_course)
 }
 
-/// The words of a text, without KDL's comments and what stands in quotes.
-fn words(text: &str) -> Vec<Word<'_>> {
-    let mut words = Vec::new();
+/// The words of each statement, without KDL comments.
+///
+/// A quote replaces a string, which begins no statement, and braces are words.
+fn statements(text: &str) -> Vec<Vec<&str>> {
+    let mut statements: Vec<Vec<&str>> = Vec::new();
     let (mut rest, mut begins) = (text, true);
     while let Some(first) = rest.chars().next() {
         let length = if rest.starts_with("//") {
@@ -91,10 +56,10 @@ fn words(text: &str) -> Vec<Word<'_>> {
         } else if rest.starts_with("/*") {
             rest.find("*/").map_or(rest.len(), |end| end + 2)
         } else if let Some(inside) = rest.strip_prefix("\"\"\"") {
-            words.push(Word::STRING);
+            add(&mut statements, "\"");
             inside.find("\"\"\"").map_or(rest.len(), |end| end + 6)
         } else if first == '"' {
-            words.push(Word::STRING);
+            add(&mut statements, "\"");
             match rest[1..].find(['"', '\n']) {
                 Some(end) if rest[1 + end..].starts_with('"') => end + 2,
                 Some(end) => end + 1,
@@ -102,7 +67,7 @@ fn words(text: &str) -> Vec<Word<'_>> {
             }
         } else if first.is_whitespace() || matches!(first, '{' | '}' | ';') {
             if first == '{' {
-                words.push(Word::BRACE);
+                add(&mut statements, "{");
             }
             begins |= matches!(first, '\n' | '{' | '}' | ';');
             first.len_utf8()
@@ -111,16 +76,23 @@ fn words(text: &str) -> Vec<Word<'_>> {
                 character.is_whitespace() || matches!(character, '{' | '}' | ';' | '"')
             };
             let length = rest.find(ends).unwrap_or(rest.len());
-            words.push(Word {
-                text: &rest[..length],
-                begins,
-            });
+            if begins {
+                statements.push(Vec::new());
+            }
+            add(&mut statements, &rest[..length]);
             begins = false;
             length
         };
         rest = &rest[length..];
     }
-    words
+    statements
+}
+
+/// Adds a word to the last statement, if there is one.
+fn add<'a>(statements: &mut [Vec<&'a str>], word: &'a str) {
+    if let Some(last) = statements.last_mut() {
+        last.push(word);
+    }
 }
 
 #[cfg(test)]

@@ -1,42 +1,48 @@
-//! A text cut at its spaces and braces.
+//! Tokens of a text, separated by spaces and braces.
 
 use crate::language::Location;
 
-/// A stretch of text without spaces, or a brace.
+/// A text without spaces, or a brace.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Token<'a> {
     pub(super) text: &'a str,
-    /// Its first byte.
-    pub(super) start: usize,
-    /// The line it stands in, counted from 1.
+    /// Its place.
+    pub(super) at: Location,
+    /// Its line, from 1.
     pub(super) line: usize,
 }
 
 impl Token<'_> {
-    /// Whether it is `{` or `}`.
+    /// True for `{` and `}`.
     pub(super) fn is_brace(&self) -> bool {
         matches!(self.text, "{" | "}")
     }
 
-    /// Whether it looks like the beginning of a comment, which the grammar does not have.
+    /// True if it resembles a comment, which the grammar does not have.
     pub(super) fn begins_comment(&self) -> bool {
         let marks = ["#", "//", "/*"];
         marks.iter().any(|mark| self.text.starts_with(mark))
     }
 
-    /// The number that it is in the course's writing: what C reads with `%lf`, but for hexadecimal
-    /// numbers, infinities and not-a-number.
+    /// Its number as C reads with `%lf`, but no hexadecimal number, infinity or NaN.
     pub(super) fn number(&self) -> Option<f64> {
         let decimal = |character: char| character.is_ascii_digit() || "+-.eE".contains(character);
         let number = self.text.chars().all(decimal).then(|| self.text.parse());
         number.and_then(Result::ok)
+    }
+
+    /// The place from this token to a later one.
+    pub(super) fn to(&self, last: Token<'_>) -> Location {
+        Location {
+            length: last.at.start + last.at.length - self.at.start,
+            ..self.at
+        }
     }
 }
 
 /// The tokens of a text, read from the front.
 #[derive(Debug)]
 pub(super) struct Tokens<'a> {
-    source: usize,
     all: Vec<Token<'a>>,
     read: usize,
 }
@@ -44,12 +50,13 @@ pub(super) struct Tokens<'a> {
 impl<'a> Tokens<'a> {
     /// The tokens of the text with this index.
     pub(super) fn new(source: usize, text: &'a str) -> Self {
-        let all = cut(text);
-        let read = 0;
-        Self { source, all, read }
+        Self {
+            all: cut(source, text),
+            read: 0,
+        }
     }
 
-    /// The token so many places ahead.
+    /// The token a number of tokens ahead; 0 is the next one.
     pub(super) fn peek(&self, ahead: usize) -> Option<Token<'a>> {
         self.all.get(self.read + ahead).copied()
     }
@@ -61,49 +68,45 @@ impl<'a> Tokens<'a> {
         Some(token)
     }
 
-    /// Takes the next token if it is this text.
+    /// Takes the next token if it equals a text.
     pub(super) fn take(&mut self, text: &str) -> bool {
         let found = self.peek(0).is_some_and(|token| token.text == text);
         self.read += usize::from(found);
         found
     }
 
-    /// Takes the tokens that are left in a line.
+    /// Skips the rest of a line.
     pub(super) fn skip_line(&mut self, line: usize) {
         while self.peek(0).is_some_and(|token| token.line == line) {
             self.read += 1;
         }
     }
 
-    /// Whether the next tokens can only be the beginning of an entity, because a brace opens after
-    /// them: attributes have none.
+    /// True if the next tokens begin an entity: two words and a brace.
     pub(super) fn entity_begins(&self) -> bool {
         let is_word = |ahead| self.peek(ahead).is_some_and(|token| !token.is_brace());
         is_word(0) && is_word(1) && self.peek(2).is_some_and(|token| token.text == "{")
     }
 
-    /// The last token before the next one.
+    /// The token before the next one.
     pub(super) fn last(&self) -> Option<Token<'a>> {
         self.all.get(self.read.checked_sub(1)?).copied()
     }
-
-    /// Where a token stands.
-    pub(super) fn at(&self, token: Token<'a>) -> Location {
-        self.span(token, token)
-    }
-
-    /// Where the text from one token to another stands.
-    pub(super) fn span(&self, first: Token<'a>, last: Token<'a>) -> Location {
-        Location {
-            source: self.source,
-            start: first.start,
-            length: last.start + last.text.len() - first.start,
-        }
-    }
 }
 
-/// Cuts a text. One late course wrote vectors as `<4,3,4>`; they are cut at their commas.
-fn cut(text: &str) -> Vec<Token<'_>> {
+/// Separates the tokens of a text, and the numbers of vectors such as `<4,3,4>`.
+///
+/// One late course wrote vectors like that.
+fn cut(source: usize, text: &str) -> Vec<Token<'_>> {
+    let token = |start: usize, end: usize, line: usize| Token {
+        text: &text[start..end],
+        at: Location {
+            source,
+            start,
+            length: end - start,
+        },
+        line,
+    };
     let mut tokens = Vec::new();
     let (mut line, mut start, mut in_vector) = (1, None, false);
     for (at, character) in text.char_indices() {
@@ -114,27 +117,14 @@ fn cut(text: &str) -> Vec<Token<'_>> {
             start.get_or_insert(at);
             continue;
         }
-        tokens.extend(start.take().map(|start: usize| Token {
-            text: &text[start..at],
-            start,
-            line,
-        }));
+        tokens.extend(start.take().map(|start| token(start, at, line)));
         if brace {
-            let text = &text[at..=at];
-            tokens.push(Token {
-                text,
-                start: at,
-                line,
-            });
+            tokens.push(token(at, at + 1, line));
         }
         line += usize::from(character == '\n');
         in_vector = opens || (in_vector && !brace && character != '>');
     }
-    tokens.extend(start.map(|start| Token {
-        text: &text[start..],
-        start,
-        line,
-    }));
+    tokens.extend(start.map(|start| token(start, text.len(), line)));
     tokens
 }
 
@@ -147,7 +137,7 @@ mod tests {
     use super::*;
 
     fn texts(text: &str) -> Vec<&str> {
-        cut(text).iter().map(|token| token.text).collect()
+        cut(0, text).iter().map(|token| token.text).collect()
     }
 
     #[test]
@@ -170,13 +160,16 @@ mod tests {
 
     #[test]
     fn lines_are_counted() {
-        let lines: Vec<_> = cut("a b\n\r\nc").iter().map(|token| token.line).collect();
+        let lines: Vec<_> = cut(0, "a b\n\r\nc")
+            .iter()
+            .map(|token| token.line)
+            .collect();
         assert_eq!(lines, [1, 1, 3]);
     }
 
     #[test]
     fn numbers_are_plain_decimals() {
-        let number = |text: &str| cut(text)[0].number();
+        let number = |text: &str| cut(0, text)[0].number();
         for (text, value) in [("1.", 1.0), (".5", 0.5), ("+1", 1.0), ("-1e3", -1000.0)] {
             assert_eq!(number(text), Some(value), "{text}");
         }

@@ -1,40 +1,40 @@
-//! The value of one attribute.
+//! Values of attributes.
 
 use super::tokens::{Token, Tokens};
 use super::words::{Entity, Role, Word};
-use crate::language::{Attribute, Location, Problem, Takes, Value};
+use crate::language::{Attribute, Diagnostic, Location, Takes, Value};
 use crate::read::check::{self, Raw};
 
-/// Takes the value that follows an attribute's word.
+/// Takes the value of an attribute, whose word is the token `at`.
 ///
 /// # Errors
-/// What is wrong with it; the rest of it may then be left among the tokens.
+/// Returns an error for an invalid value; a part of it may then remain among the tokens.
 pub(super) fn read<'a>(
     entity: &Entity,
     word: &Word,
     at: Token<'a>,
     tokens: &mut Tokens<'a>,
-) -> Result<Option<Value>, Problem> {
+) -> Result<Option<Value>, Diagnostic> {
     let takes = word.takes(entity);
     if let Takes::Name(_) | Takes::Path = takes {
         let name = name(entity, tokens);
         return name
             .map(|name| Some(Value::from(name)))
-            .ok_or_else(|| no_name(word, takes, tokens.at(at)));
+            .ok_or_else(|| no_name(word, takes, at.at));
     }
     let numbers = numbers(entity, takes, tokens);
     let attribute = Attribute::new(word.word, takes, "");
-    check::value(&attribute, &numbers, tokens.at(at)).map_err(|problem| match word.role {
-        Role::Mode => problem.help("0 stretches the image over the plane, 1 tiles it"),
-        _ => problem,
+    check::value(&attribute, &numbers, at.at).map_err(|error| match word.role {
+        Role::Mode => error.help("0 stretches the image over the plane, 1 repeats it"),
+        _ => error,
     })
 }
 
-/// Takes one token, unless it belongs to what follows.
+/// Takes a name, unless the token begins the next attribute or entity.
 fn name<'a>(entity: &Entity, tokens: &mut Tokens<'a>) -> Option<&'a str> {
     let name = tokens.peek(0)?;
     let is_word = |token: Token<'_>| entity.word(token.text).is_some();
-    // Anything may be a name, even an attribute's word; but then another one follows it.
+    // A name can equal an attribute's word. Then no value follows it.
     let next = tokens.peek(1);
     let word_with_value =
         is_word(name) && next.is_some_and(|next| !next.is_brace() && !is_word(next));
@@ -44,20 +44,20 @@ fn name<'a>(entity: &Entity, tokens: &mut Tokens<'a>) -> Option<&'a str> {
     tokens.next().map(|token| token.text)
 }
 
-fn no_name(word: &Word, takes: Takes, at: Location) -> Problem {
+fn no_name(word: &Word, takes: Takes, at: Location) -> Diagnostic {
     let expected = match (word.role, takes) {
         (Role::Texture, _) => "the name of a texture, or a file".to_owned(),
         (_, Takes::Path) => "the name of a file".to_owned(),
         (_, takes) => takes.words(),
     };
-    Problem::error(
+    Diagnostic::error(
         at,
         format!("`{}` has no value", word.word),
         format!("expected {expected}"),
     )
 }
 
-/// Takes all numbers that follow, and what stands in the place of one.
+/// Takes all numbers that follow, and other tokens in the place of a number.
 fn numbers(entity: &Entity, takes: Takes, tokens: &mut Tokens<'_>) -> Vec<(Raw, Location)> {
     let expected = match takes {
         Takes::Triple => 3,
@@ -83,7 +83,7 @@ fn numbers(entity: &Entity, takes: Takes, tokens: &mut Tokens<'_>) -> Vec<(Raw, 
         }
         all_numbers &= number.is_some();
         let raw = number.map_or_else(|| Raw::Text(token.text.to_owned()), Raw::Number);
-        raws.push((raw, tokens.at(token)));
+        raws.push((raw, token.at));
         tokens.next();
     }
     raws

@@ -1,36 +1,35 @@
-//! The course's words and what they are in the scene language.
+//! The course's words, and their meanings in the scene language.
 
-use super::entities::ENTITIES;
 use crate::language::{Schema, Takes};
 
-/// One kind of entity.
+/// A kind of entity.
 #[derive(Debug)]
 pub(super) struct Entity {
     /// Its word.
     pub(super) word: &'static str,
-    /// The kind of node that it is.
+    /// The kind of its node.
     pub(super) schema: &'static Schema,
-    /// The kind of node that it is without a certain attribute of that schema.
+    /// The kind of its node if an attribute is missing: the attribute and the kind.
     pub(super) without: Option<(&'static str, &'static Schema)>,
     words: &'static [&'static [Word]],
 }
 
-/// One attribute of an entity.
+/// An attribute of a kind of entity.
 #[derive(Debug)]
 pub(super) struct Word {
     /// Its word.
     pub(super) word: &'static str,
-    /// The attribute of the schema that it is or belongs to.
+    /// Its meaning: the attribute of the schema.
     pub(super) means: &'static str,
-    /// What becomes of its value.
+    /// The use of its value.
     pub(super) role: Role,
-    /// The type of its value, if it is not that of the schema.
+    /// The type of its value, if it differs from the schema's.
     takes: Option<Takes>,
-    /// Whether the entity makes no sense without it.
-    pub(super) needed: bool,
+    /// True if it must be given.
+    pub(super) required: bool,
 }
 
-/// What becomes of an attribute's value.
+/// The use of an attribute's value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     /// An attribute of the node.
@@ -41,11 +40,11 @@ pub(super) enum Role {
     File,
     /// A texture's name, or a file.
     Texture,
-    /// The number of a way to lay a texture over a plane.
+    /// The number of a texture mode.
     Mode,
     /// The number of a formula.
     Shader,
-    /// Nothing: other attributes say the same.
+    /// None: other attributes have the same information.
     Ignored,
 }
 
@@ -63,7 +62,7 @@ impl Entity {
         }
     }
 
-    /// The same entity, which is a node of this kind without a certain attribute.
+    /// The same entity with another kind of node if an attribute is missing.
     pub(super) const fn without(self, word: &'static str, schema: &'static Schema) -> Self {
         Self {
             without: Some((word, schema)),
@@ -71,12 +70,7 @@ impl Entity {
         }
     }
 
-    /// The kind with this word.
-    pub(super) fn find(word: &str) -> Option<&'static Self> {
-        ENTITIES.iter().find(|entity| entity.word == word)
-    }
-
-    /// The attributes that it may have.
+    /// Its attributes.
     pub(super) fn words(&self) -> impl Iterator<Item = &'static Word> {
         self.words.iter().copied().flatten()
     }
@@ -94,13 +88,13 @@ impl Word {
             means: word,
             role: Role::Attribute,
             takes: None,
-            needed: true,
+            required: true,
         }
     }
 
     pub(super) const fn optional(self) -> Self {
         Self {
-            needed: false,
+            required: false,
             ..self
         }
     }

@@ -31,7 +31,7 @@ fn scene(text: &str) -> Result<Scene, String> {
         PathBuf::new(),
         &Options::default(),
     );
-    let reading = read.map_err(|no| format!("{:?}", no.problems))?;
+    let reading = read.map_err(|no| format!("{:?}", no.diagnostics))?;
     Ok(reading.scene)
 }
 

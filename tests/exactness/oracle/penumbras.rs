@@ -16,7 +16,7 @@ use support::random::Random;
 /// Rays for each scene.
 const EACH: u64 = 40;
 
-/// Places of the lamp for each ray.
+/// `SamplePositions` of the lamp for each ray.
 const PLACES: u64 = 4;
 
 #[test]
@@ -60,13 +60,13 @@ fn what_is_known_of_a_lamp_without_a_ray_is_what_rays_find() {
             }
             let ray_origin = entry.ray_origin(&seen, &hit);
             let spawn = Ray::spawn(&ray_origin, hit.normal);
-            let known = fewer.occlusion(&hit, &spawn, true);
+            let known = fewer.occlusion(&hit, &spawn);
             match known {
                 Occlusion::None => open += 1,
                 Occlusion::Full => walls += 1,
                 Occlusion::Partial(_) => {}
             }
-            let asked = all.occlusion(&hit, &spawn, true);
+            let asked = all.occlusion(&hit, &spawn);
             for _ in 0..PLACES {
                 let at = DVec2::from([0; 2].map(|_| random.share()));
                 let (end, weight) = lamp.sample(&hit.point, hit.normal, at);

@@ -66,7 +66,7 @@ fn what_is_not_asked_hides_nothing() {
 
 /// The share of light that passes what is before it.
 fn passed(receiver: &Receiver<'_, '_>, hit: &Hit, segment: &Segment, tests: &mut u64) -> Rgb {
-    match receiver.occlusion(hit, &segment.ray, true) {
+    match receiver.occlusion(hit, &segment.ray) {
         Occlusion::None => Rgb::WHITE,
         Occlusion::Full => Rgb::BLACK,
         Occlusion::Partial(occluders) => occluders.transmittance(segment, tests),

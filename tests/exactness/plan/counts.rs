@@ -18,7 +18,7 @@ fn counts(nodes: &str) -> Counts {
     );
     let reading = read_bytes("counts", text.into_bytes(), "".into(), &Options::default());
     let scene = reading
-        .unwrap_or_else(|no| panic!("{:#?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:#?}", no.diagnostics))
         .scene;
     render(&scene, &|_| ()).expect("a camera").1
 }

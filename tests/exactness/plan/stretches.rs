@@ -23,7 +23,7 @@ fn scene(nodes: &str) -> Scene {
         &Options::default(),
     );
     reading
-        .unwrap_or_else(|no| panic!("{:#?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:#?}", no.diagnostics))
         .scene
 }
 

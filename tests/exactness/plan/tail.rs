@@ -75,7 +75,7 @@ fn shown(settings: &str) -> Film {
     );
     let scene = reading.expect("a scene").scene;
     let (film, _) = render(&scene, &|_| ()).expect("a possible camera");
-    film.shown(scene.settings.transfer)
+    film.displayed(scene.settings.transfer)
 }
 
 #[test]

@@ -3,7 +3,7 @@
 pub(crate) use heliodon::film::{Encoding, Rounding, Transfer};
 use heliodon::film::{Film, Region};
 use heliodon::geometry::Hit;
-use heliodon::language::{Node, render_problems};
+use heliodon::language::{Node, render_diagnostics};
 use heliodon::math::{Numerics, Point, Ray, Span, unit};
 use heliodon::measure::check;
 use heliodon::plan::{Plan, Scope};
@@ -120,7 +120,7 @@ impl Subject {
 
     /// What is odd about the scene.
     pub(crate) fn warnings(&self) -> String {
-        render_problems(&check(self.scene), &self.scene.sources, false, 100)
+        render_diagnostics(&check(self.scene), &self.scene.sources, false, 100)
     }
 
     /// The scene ready to be asked about rays.
@@ -164,9 +164,9 @@ impl Subject {
 impl From<&SceneError> for OutputError {
     fn from(scene_error: &SceneError) -> Self {
         Self {
-            said: render_problems(&scene_error.problems, &scene_error.sources, false, 100),
+            said: render_diagnostics(&scene_error.diagnostics, &scene_error.sources, false, 100),
             has_place: scene_error
-                .problems
+                .diagnostics
                 .iter()
                 .any(|problem| problem.place.is_some()),
         }

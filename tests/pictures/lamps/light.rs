@@ -107,7 +107,7 @@ fn a_far_lamp_is_a_light() {
 fn pixel(text: &str) -> f64 {
     let options = heliodon::read::Options::default();
     let reading = heliodon::read::read_bytes("far", text.as_bytes().to_vec(), "".into(), &options);
-    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.diagnostics));
     let (film, _) = heliodon::render::render(&reading.scene, &|_| ()).expect("a picture");
     film.pixel(0, 0).r
 }

@@ -14,7 +14,7 @@ use heliodon::render::{Counts, Render};
 fn picture(text: &str, scope: Scope) -> (Film, Counts) {
     let text = format!("lighting {{ view-falloff \"none\" }}\n{text}");
     let reading = read_bytes("lamps", text.into_bytes(), "".into(), &Options::default());
-    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:#?}", no.diagnostics));
     Render::new(&reading.scene)
         .scope(scope)
         .film()

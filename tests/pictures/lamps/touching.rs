@@ -114,7 +114,7 @@ fn of_things_that_overlap_a_lamp_all_is_asked() {
 fn scene(text: &str) -> Scene {
     let reading = read_bytes("touching", text.into(), "".into(), &Options::default());
     reading
-        .unwrap_or_else(|no| panic!("{:#?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:#?}", no.diagnostics))
         .scene
 }
 
@@ -165,7 +165,7 @@ fn from_the_lowest_place_that_is_said_to_see_all_of_a_lamp_all_of_it_is_seen() {
                 uv: glam::DVec2::ZERO,
                 texel: heliodon::math::Rgb::WHITE,
             };
-            matches!(receiver.occlusion(&hit, &ray, true), Occlusion::None)
+            matches!(receiver.occlusion(&hit, &ray), Occlusion::None)
         };
         for aside in [0.0, 0.7, -1.5, 3.0, 40.0] {
             let (mut low, mut high) = (0.0, 400.0);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use heliodon::film::Film;
-use heliodon::language::{Attribute, Node, Schema, Takes, Value, render_problems};
+use heliodon::language::{Attribute, Node, Schema, Takes, Value, render_diagnostics};
 use heliodon::read::{Options, read_bytes};
 use heliodon::render::render;
 use heliodon::scene::Scene;
@@ -177,7 +177,7 @@ fn read(name: &str, text: &str, options: &Options) -> Scene {
         Ok(reading) => reading.scene,
         Err(no) => panic!(
             "{name}\n{text}\n{}",
-            render_problems(&no.problems, &no.sources, false, 100)
+            render_diagnostics(&no.diagnostics, &no.sources, false, 100)
         ),
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn scene(text: &str) -> Scene {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes").into();
     match read_bytes("stage", text.into_bytes(), path, &Options::default()) {
         Ok(reading) => reading.scene,
-        Err(scene_error) => panic!("{:#?}", scene_error.problems),
+        Err(scene_error) => panic!("{:#?}", scene_error.diagnostics),
     }
 }
 

@@ -145,7 +145,7 @@ fn what_is_right_is_what_is_shown() {
     let (limit, curve) = (2.0 / 255.0, Transfer::Srgb);
     let picture = |settings: &str| {
         let text = DUSK.replace("samples=1", settings);
-        drawn(&of_text(&text)).0.shown(curve)
+        drawn(&of_text(&text)).0.displayed(curve)
     };
     let truth = picture("samples=4096 pattern=\"sobol\"");
     let within = |film: &Film| share_within(&errors(film, &truth), limit);

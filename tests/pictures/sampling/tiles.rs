@@ -38,7 +38,7 @@ fn scene(settings: &[(&str, String)]) -> Scene {
     };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     let read = read_bytes("scene", SCENE.into(), folder, &options);
-    let read = read.unwrap_or_else(|no| panic!("{:?}", no.problems));
+    let read = read.unwrap_or_else(|no| panic!("{:?}", no.diagnostics));
     read.scene
 }
 
@@ -142,7 +142,7 @@ fn every_dial_gives_the_same_bytes_in_tiles_of_any_size_on_any_number_of_threads
                 };
                 let (found, printed) = drawn(&scene, tile, &pools[threads - 1]);
                 let size = bytes.len() / bits.len();
-                for (number, [column, row]) in tile.places().enumerate() {
+                for (number, [column, row]) in tile.pixels().enumerate() {
                     let place = row * width + column;
                     let same = found[number] == bits[place]
                         && printed[size * number..][..size] == bytes[size * place..][..size];

@@ -1,5 +1,6 @@
 //! `render --certify`, and what `check` tells of shared planes and lines.
 
+use snapbox::str;
 use support::shell::Shell;
 
 /// Two tiles that share an edge at 0.1 + 0.2 = 0.3, seen through the joint.
@@ -24,11 +25,11 @@ fn a_certificate_says_how_hits_were_decided() {
     for line in [
         // Fifteen rays, each near one tile or both; the middle column of three meets the joint, and
         // there each tile asks.
-        "  surface tests       18, at least 12 of them by rounded values with proven bounds\n",
-        "  other signs         0 exactly, 6 by rule\n",
-        "  welded              1 shared plane, 1 shared line, 0 apart at most\n",
-        "  error after mirrors 0, an estimate\n",
-        "  not finite          0 pixels\n",
+        "  tests              18, at least 12 decided in floating point with proven bounds\n",
+        "  exact decisions    0 signs computed exactly, 6 decided by rule\n",
+        "  shared geometry    1 plane, 1 line, at most 0 apart in the file\n",
+        "  bounced hit error  about 0 (an estimate; after mirrors and refraction)\n",
+        "  non-finite pixels  0\n",
     ] {
         assert!(said.contains(line), "{said}");
     }
@@ -66,10 +67,10 @@ fn classic_numerics_certify_nothing_but_that_all_is_finite() {
     let run = shell.run(&arguments).ends_with(0);
     let said = run.stdout_text();
     assert!(
-        said.contains("30 by rounded values without bounds (classic)"),
+        said.contains("30, decided in floating point without bounds (classic)"),
         "{said}"
     );
-    assert!(!said.contains("error of a hit"), "{said}");
+    assert!(!said.contains("hit error"), "{said}");
     let json = [&arguments[..], &["--json"]].concat();
     let run = shell.run(&json).ends_with(0);
     let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
@@ -79,26 +80,28 @@ fn classic_numerics_certify_nothing_but_that_all_is_finite() {
 }
 
 #[test]
-fn check_tells_what_is_shared() {
+fn check_lists_what_is_shared() {
     let shell = Shell::new();
     shell.write("tiles.kdl", TILES);
     let run = shell.run(&["check", "tiles.kdl"]).ends_with(0);
-    assert_eq!(
-        run.stdout_text(),
-        "tiles.kdl: ok\n  surfaces share 1 plane and 1 border line\n"
-    );
+    run.prints(str![[r#"
+tiles.kdl: ok
+  surfaces share 1 plane and 1 border line
+
+"#]]);
     let run = shell.run(&["check", "tiles.kdl", "--verbose"]).ends_with(0);
-    assert_eq!(
-        run.stdout_text(),
-        "tiles.kdl: ok\n  surfaces share 1 plane and 1 border line\n  \
-         one plane: finite-plane \"left\", finite-plane \"right\"\n  \
-         one line: finite-plane \"left\", finite-plane \"right\"\n"
-    );
+    run.prints(str![[r#"
+tiles.kdl: ok
+  surfaces share 1 plane and 1 border line
+  shared plane: finite-plane "left", finite-plane "right"
+  shared line: finite-plane "left", finite-plane "right"
+
+"#]]);
 }
 
 /// The corner of a slanting tile is irrational, so whoever writes it rounds it.
 #[test]
-fn check_tells_what_was_moved_to_be_shared() {
+fn check_lists_what_was_moved_to_be_shared() {
     let shell = Shell::new();
     let slanting = TILES
         .replace("xdir 1 0 0", "xdir 1 1 0")
@@ -110,13 +113,13 @@ fn check_tells_what_was_moved_to_be_shared() {
     shell.write("slanting.kdl", &slanting);
     let run = shell.run(&["check", "slanting.kdl"]).ends_with(0);
     let said = run.stdout_text();
-    assert!(said.contains("  one line, though "), "{said}");
+    assert!(said.contains("  shared line ("), "{said}");
     let run = shell.run(&["check", "slanting.kdl", "--json"]).ends_with(0);
     let answer: serde_json::Value = serde_json::from_str(run.stdout_text()).expect("JSON");
-    let welds = answer["welds"].as_array().expect("a list");
-    let line = welds
+    let shared = answer["shared"].as_array().expect("a list");
+    let line = shared
         .iter()
-        .find(|weld| weld["what"] == "line")
+        .find(|shared| shared["what"] == "line")
         .expect("a line");
     let apart = line["apart"].as_f64().expect("a number");
     assert!(apart > 0.0 && apart < 1e-15, "{apart}");
@@ -124,7 +127,7 @@ fn check_tells_what_was_moved_to_be_shared() {
 
 /// Far away two borders of a strip are a few roundings apart, and still two.
 #[test]
-fn a_strip_is_not_welded_to_itself() {
+fn a_strip_does_not_share_borders_with_itself() {
     let shell = Shell::new();
     let tile = |point: &str, width: &str| {
         format!(
@@ -161,7 +164,7 @@ fn what_nothing_bounds_is_said_to_be_unknown() {
     ];
     let run = shell.run(&arguments).ends_with(0);
     let said = run.stdout_text();
-    let line = "  error after mirrors unknown: rounding may have led a ray anywhere\n";
+    let line = "  bounced hit error  unbounded: rounding may have changed the path of a ray\n";
     assert!(said.contains(line), "{said}");
     let run = shell
         .run(&[&arguments[..], &["--json"]].concat())

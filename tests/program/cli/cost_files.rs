@@ -16,11 +16,11 @@ fn what_cost_writes_replaces_nothing_that_it_needs_or_has_written() {
         (["--csv", "it", "--plot", beyond.as_str()], "written twice"),
         (
             ["--threads", "1", "--report", "./scene"],
-            "./scene would replace scene, which scene is made of",
+            "./scene would replace scene, which scene uses",
         ),
         (
             ["--csv", "truth", "--reference", "./truth"],
-            "truth would replace what is compared with",
+            "truth would replace the reference",
         ),
     ] {
         let arguments = [&["cost", "scene", "--runs", "1"], &arguments[..]].concat();

@@ -49,14 +49,8 @@ fn a_crop_without_pixels_or_beyond_the_picture_is_refused() {
             "1,2,3,-4",
             "expected four whole numbers, such as 10,20,30,40",
         ),
-        (
-            "5,2,5,4",
-            "there is no pixel from 5,2 up to but not including 5,4",
-        ),
-        (
-            "5,4,6,2",
-            "there is no pixel from 5,4 up to but not including 6,2",
-        ),
+        ("5,2,5,4", "the region from 5,2 to 5,4 has no pixels"),
+        ("5,4,6,2", "the region from 5,4 to 6,2 has no pixels"),
         (
             "0,0,41,30",
             "the crop 0,0,41,30 reaches beyond the picture of 40 by 30 pixels; give one within \

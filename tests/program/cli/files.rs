@@ -193,7 +193,7 @@ fn a_name_and_a_format_that_contradict_each_other_are_refused() {
     let shell = Shell::with_scene();
     let run = shell.run(&["render", "scene.kdl", "-o", "a.ppm", "--format", "png16"]);
     run.ends_with(2)
-        .says("--format asks for a .png file, but the output is a.ppm");
+        .says("--format needs a .png file, but the output is a.ppm");
     shell
         .run(&["render", "scene.kdl", "-o", "a.png", "--format", "png16"])
         .ends_with(0);
@@ -259,11 +259,11 @@ fn a_depth_that_cannot_be_kept_is_refused() {
     for (arguments, expected) in [
         (
             ["--depth", "float", "-o", "a.png"],
-            "a.png cannot have a depth of float; end it with .pfm, or ask for another --depth",
+            "a.png cannot have a depth of float; use the ending .pfm, or another --depth",
         ),
         (
             ["--depth", "16", "--format", "png"],
-            "--depth 16 contradicts --format, which asks for a depth of 8; leave one of them out",
+            "--depth 16 contradicts --format, which has a depth of 8; leave one of them out",
         ),
     ] {
         let run = shell.run(&[&["render", "scene.kdl"][..], &arguments].concat());

@@ -87,12 +87,12 @@ fn what_options_make_senseless_is_no_mistake_of_the_scene() {
         ),
         (
             ["--max-error", "0.1", "--pattern", "grid"],
-            "with `max-error` rays are added, which \"grid\" cannot do",
+            "`max-error` adds rays to a pixel, which the pattern \"grid\" cannot do",
         ),
     ] {
         for command in ["render", "cost"] {
             let run = shell.run(&[&[command, "scene.kdl"], &options[..]].concat());
-            run.ends_with(2).says(reason).says("; ask for `");
+            run.ends_with(2).says(reason).says("; set `");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Results on standard output, everything else on standard error.
 
 use serde_json::Value;
-
+use snapbox::str;
 use support::shell::{SCENE, Shell, program};
 
 #[test]
@@ -26,7 +26,7 @@ fn quiet_says_nothing_and_verbose_tells_the_work() {
     shell
         .run(&["render", "scene.kdl", "-v"])
         .ends_with(0)
-        .says("1200 from the eye");
+        .says("1200 camera");
 }
 
 #[test]
@@ -54,7 +54,10 @@ fn json_is_one_object_a_scene() {
 fn check_answers_on_standard_output_and_warns_on_standard_error() {
     let shell = Shell::with_scene();
     let run = shell.run(&["check", "scene.kdl"]).ends_with(0);
-    assert_eq!(run.stdout_text(), "scene.kdl: ok\n");
+    run.prints(str![[r#"
+scene.kdl: ok
+
+"#]]);
     assert!(run.stderr.is_empty());
     shell.write(
         "odd.kdl",
@@ -64,7 +67,10 @@ fn check_answers_on_standard_output_and_warns_on_standard_error() {
         .run(&["check", "odd.kdl"])
         .ends_with(0)
         .says("has the camera inside");
-    assert_eq!(run.stdout_text(), "odd.kdl: ok, 1 warning\n");
+    run.prints(str![[r#"
+odd.kdl: ok, 1 warning
+
+"#]]);
     let run = shell.run(&["check", "odd.kdl", "--json"]).ends_with(0);
     let line: Value = serde_json::from_str(run.stdout_text()).expect("JSON");
     assert_eq!(line["problems"][0]["severity"], "warning");
@@ -133,8 +139,12 @@ fn check_counts_what_went_well() {
     let run = shell
         .run(&["check", "scene.kdl", "broken.kdl", "no.kdl"])
         .ends_with(4);
-    let expected = "scene.kdl: ok\nbroken.kdl: errors\nno.kdl: cannot be read\n";
-    assert_eq!(run.stdout_text(), expected);
+    run.prints(str![[r#"
+scene.kdl: ok
+broken.kdl: errors
+no.kdl: cannot be read
+
+"#]]);
     run.says("1 ok, 2 failed");
 }
 
@@ -160,7 +170,9 @@ fn the_help_has_below_a_heading_what_belongs_there() {
     let shell = Shell::new();
     for command in ["render", "cost"] {
         let help = shell.run(&[command, "--help"]).ends_with(0);
-        let parts = help.stdout_text().split_once("The picture, instead of");
+        let parts = help
+            .stdout_text()
+            .split_once("Picture settings, instead of");
         let (options, picture) = parts.expect("a heading");
         for (word, is_of_picture) in [("--size", true), ("--depth", true), ("--json", false)] {
             assert_eq!(picture.contains(word), is_of_picture, "{command} {word}");

@@ -26,7 +26,7 @@ sphere "ball" { material "chalk"; center 0 1 0; radius 1 }
 fn scene(text: &str) -> Scene {
     let reading = read_bytes("test", text.into(), PathBuf::new(), &Options::default());
     reading
-        .unwrap_or_else(|no| panic!("{:?}", no.problems))
+        .unwrap_or_else(|no| panic!("{:?}", no.diagnostics))
         .scene
 }
 

@@ -10,7 +10,8 @@ pub fn repository(path: &str) -> PathBuf {
     root.expect("the folder above tests").join(path)
 }
 
-/// All files in a folder and the folders below it, sorted.
+/// All files in a folder and the folders below it, sorted; without build products and what Git
+/// keeps.
 ///
 /// # Panics
 ///
@@ -22,7 +23,8 @@ pub fn walk(folder: impl AsRef<Path>) -> Vec<PathBuf> {
     while let Some(folder) = folders.pop() {
         let (below, here): (Vec<_>, Vec<_>) =
             entries(folder).into_iter().partition(|path| path.is_dir());
-        folders.extend(below);
+        let is_made = |folder: &PathBuf| folder.ends_with("target") || folder.ends_with(".git");
+        folders.extend(below.into_iter().filter(|folder| !is_made(folder)));
         files.extend(here);
     }
     files.sort();

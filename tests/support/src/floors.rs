@@ -79,6 +79,6 @@ pub fn scene(text: &str, folder: &Path, settings: &[(&str, &str)]) -> Scene {
         ..Options::default()
     };
     let reading = read_bytes("floor", text.into(), folder.into(), &options);
-    let reading = reading.unwrap_or_else(|no| panic!("{:?}", no.problems));
+    let reading = reading.unwrap_or_else(|no| panic!("{:?}", no.diagnostics));
     reading.scene
 }

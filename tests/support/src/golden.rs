@@ -30,7 +30,7 @@ pub fn picture(scene: &Path, options: &Options) -> Result<RgbImage, Complaint> {
     let reading = read_file(scene, options).map_err(|error| format!("{title}: {error}"))?;
     let scene = reading
         .map_err(|scene_error| {
-            let problems = scene_error.problems.iter();
+            let problems = scene_error.diagnostics.iter();
             let messages: Vec<_> = problems.map(|problem| problem.message.as_str()).collect();
             format!("{title}: {}", messages.join("; "))
         })?

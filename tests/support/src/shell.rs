@@ -5,6 +5,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use snapbox::assert::DEFAULT_ACTION_ENV;
+use snapbox::{Assert, IntoData};
+
 use crate::files;
 
 /// A picture of a floor and a ball, in a few milliseconds.
@@ -173,6 +176,14 @@ impl Run {
             self.stderr
         );
         self
+    }
+
+    /// Fails unless standard output is this text; `SNAPSHOTS=overwrite` rewrites the text in the
+    /// test.
+    #[track_caller]
+    pub fn prints(&self, text: impl IntoData) {
+        let assert = Assert::new().action_env(DEFAULT_ACTION_ENV);
+        assert.eq(self.stdout_text(), text);
     }
 
     /// Standard output as text.

@@ -116,7 +116,7 @@ fn compare(floor: &Floor, arguments: &Arguments) {
 fn errors(exact: &Film, truth: &Film) -> [f64; 2] {
     let mut most = [0.0f64; 2];
     let size = [24, 16];
-    for [column, row] in Region::whole(size).places() {
+    for [column, row] in Region::whole(size).pixels() {
         let (found, expected) = (exact.pixel(column, row), truth.pixel(column, row));
         // In blue every pixel shows how much of it is floor.
         if found.b == 0.0 || expected.b == 0.0 {
@@ -124,7 +124,7 @@ fn errors(exact: &Film, truth: &Film) -> [f64; 2] {
         }
         let around = Region::around([column, row], size);
         let is_below = around
-            .places()
+            .pixels()
             .all(|[column, row]| truth.pixel(column, row).b == 1.0);
         for (found, expected) in [(found.r, expected.r), (found.g, expected.g)] {
             let off = (found - expected / truth.pixel(column, row).b).abs() * 255.0;

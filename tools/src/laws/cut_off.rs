@@ -63,7 +63,7 @@ fn scene(name: &str) -> Result<Scene, Failed> {
         ..Options::default()
     };
     let reading = read_file(format!("scenes/{name}.kdl").as_ref(), &options)?;
-    Ok(reading.map_err(|no| format!("{:?}", no.problems))?.scene)
+    Ok(reading.map_err(|no| format!("{:?}", no.diagnostics))?.scene)
 }
 
 fn drawn(scene: &mut Scene, cut_off: f64) -> Result<Film, Failed> {

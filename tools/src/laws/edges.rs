@@ -1,6 +1,6 @@
 //! Rays where straight borders cross pixels.
 
-use heliodon::camera::{Pattern, Places};
+use heliodon::camera::{Pattern, SamplePositions};
 use heliodon::math::scramble;
 use heliodon::measure::{Figure, Panel, Scale, exponent};
 
@@ -60,7 +60,7 @@ fn error(pattern: Pattern, count: u32) -> f64 {
         let angle = drawn(1) * std::f64::consts::FRAC_PI_4;
         let (nx, ny) = (libm::sin(angle), libm::cos(angle));
         let d = (drawn(2) - 0.5) * (nx + ny);
-        let places = Places::new(pattern, pixel as usize, 7, count);
+        let places = SamplePositions::new(pattern, pixel as usize, 7, count);
         let inside = (0..count).filter(|number| {
             let [x, y] = places.at(*number);
             nx * x + ny * y < d

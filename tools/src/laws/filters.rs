@@ -98,7 +98,7 @@ fn scene(turn: f64, folder: &Path) -> Result<Scene, Failed> {
         2.0 * FAR
     );
     let reading = read_bytes("floor", text.into(), folder.into(), &Options::default());
-    Ok(reading.map_err(|no| format!("{:?}", no.problems))?.scene)
+    Ok(reading.map_err(|no| format!("{:?}", no.diagnostics))?.scene)
 }
 
 /// What every pixel below the horizon shows, row by row.

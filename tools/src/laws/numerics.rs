@@ -121,7 +121,7 @@ fn picture(text: &str, numerics: Numerics) -> Result<Film, Failed> {
         ..Options::default()
     };
     let reading = read_bytes("scene", text.into(), "".into(), &options);
-    let scene = reading.map_err(|no| format!("{:?}", no.problems))?.scene;
+    let scene = reading.map_err(|no| format!("{:?}", no.diagnostics))?.scene;
     Ok(render(&scene, &|_| ()).map_err(|error| error.reason)?.0)
 }
 

@@ -1,4 +1,4 @@
-//! That the classic algorithm does what it should.
+//! Tests of the classic algorithm.
 
 mod weaknesses;
 
@@ -21,7 +21,7 @@ fn distance<T: Scalar>(shape: &Shape, ray: &Ray) -> Option<f64> {
     intersect::<T>(shape, ray, Span::AHEAD).map(|hit| hit.t)
 }
 
-/// Numbers from −1 to 1 without rhyme, the same on every run (Weyl 1916).
+/// Quasirandom numbers from −1 to 1, the same on every run (Weyl 1916).
 fn scatter(index: u32) -> [f64; 3] {
     [2f64.sqrt(), 3f64.sqrt(), 5f64.sqrt()]
         .map(|root| (f64::from(index) * root).fract() * 2.0 - 1.0)
@@ -76,8 +76,7 @@ fn a_ray_along_a_plane_misses_it() {
     }
 }
 
-/// E5, E6: what is behind a light or at it casts no shadow; what is before it does, from both
-/// sides.
+/// E5, E6: surfaces behind or at a light cast no shadow; those before it do.
 #[test]
 fn a_shadow_lies_between_the_ends() {
     let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
@@ -89,6 +88,6 @@ fn a_shadow_lies_between_the_ends() {
     assert!(classic(1.0, -1.0) && classic(-1.0, 1.0));
     assert!(!classic(1.0, 0.5) && !classic(1.0, 0.0));
     assert!(!classic(0.0, 1.0));
-    // A light that is nearer behind the square than the offset.
+    // A light behind the square by less than the offset.
     assert!(square.occludes(&segment(1.0, -5e-10), Side::Back) && !classic(1.0, -5e-10));
 }

@@ -1,4 +1,4 @@
-//! Where the classic algorithm goes wrong: hard cases that a test each keeps as they are.
+//! Cases in which the classic algorithm fails, each pinned by a test.
 
 use super::*;
 use crate::math::Flat;
@@ -23,7 +23,7 @@ fn far_from_the_origin_places_are_rounded() {
     assert_eq!(distance::<f32>(&square, &ray), None);
 }
 
-/// B4: of rays at the edge that two slanted rectangles share, a fifth meets none, and some meet both.
+/// B4: a fifth of the rays at a shared slanted edge miss both sides; some hit both.
 #[test]
 fn shared_edges_overlap_and_gape() {
     let u = DVec3::new(2.0, 1.0, 2.0) / 3.0;
@@ -66,8 +66,9 @@ fn far_spheres_are_met_at_random() {
     assert!(wrong(1e5, distance::<f32>) > 500);
 }
 
-/// What the offset is for, and why it cannot be much smaller: how far away a ray that leaves a
-/// plane in a scene of some ten units finds it again, at an angle of one degree.
+/// Measures the largest distance at which a mirrored ray hits its own plane again.
+///
+/// The scene has some ten units and an angle of one degree. The offset cannot be much smaller.
 #[test]
 fn the_offset_is_above_the_rounding_of_ordinary_scenes() {
     fn furthest<T: Scalar>() -> f64 {
@@ -97,7 +98,7 @@ fn the_offset_is_above_the_rounding_of_ordinary_scenes() {
     );
 }
 
-/// A5, B19: a ray does not meet again what it leaves, nor what is nearer than the offset.
+/// A5, B19: a ray misses the surface that it leaves, and all within the offset.
 #[test]
 fn what_is_nearer_than_the_offset_is_not_seen() {
     let square = rectangle(DVec3::ZERO, DVec3::Z, DVec3::X, 1.0);
@@ -113,7 +114,7 @@ fn what_is_nearer_than_the_offset_is_not_seen() {
     );
 }
 
-/// The determinant of a triangle has the unit of an area: small ones are never met.
+/// The determinant of a triangle is an area: small triangles are never hit.
 #[test]
 fn small_triangles_vanish() {
     let triangle = |size: f64| {

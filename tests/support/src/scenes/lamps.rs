@@ -5,7 +5,7 @@ use crate::scenes::{Writer, triple};
 
 /// The text of a scene: a function of its number alone.
 ///
-/// Places are often whole numbers, so that things touch and lie in one plane.
+/// Positions are often whole numbers, so that things touch and lie in one plane.
 #[must_use]
 pub fn scene(seed: u64) -> String {
     let mut random = Random::of(0x1a3b5, seed);
@@ -50,8 +50,13 @@ fn surface(random: &mut Random, text: &mut Writer) {
         1 => text.sphere(&material, at, 1.0),
         2 => text.ellipsoid(&material, at, 1.0, "1 0.5 2"),
         3 => {
-            let vertices = [at, place(random, 4.0), corner(random)];
-            text.triangle(&material, vertices);
+            let other = loop {
+                let other = place(random, 4.0);
+                if other != at {
+                    break other;
+                }
+            };
+            text.triangle(&material, [at, other, corner(random)]);
         }
         _ => text.rectangle("finite-plane", &material, at, axes, [3.0, 2.0]),
     }

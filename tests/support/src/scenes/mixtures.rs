@@ -71,16 +71,16 @@ impl Maker {
             " texture-filter=\"anisotropic\"",
         ]);
         self.text
-            .line(&format!("image 20 15{samples}{cut_off}{filter}"));
+            .line(format!("image 20 15{samples}{cut_off}{filter}"));
         if self.random.once_in(3) {
             let [x, y] = [(); 2].map(|()| self.number(0.0, 4.0));
             let z = self.size(6.0);
             self.text
-                .line(&format!("camera {{ viewpoint {x} {y} {z}; screen 4 3 }}"));
+                .line(format!("camera {{ viewpoint {x} {y} {z}; screen 4 3 }}"));
         } else {
             let [eye, target] = [3.0, 0.5].map(|reach| self.point(reach));
             let angle = self.number(40.0, 110.0);
-            self.text.line(&format!(
+            self.text.line(format!(
                 "camera {{ viewpoint {eye}; look-at {target}; up 0.31 1 0.17; field-of-view {angle} }}"
             ));
         }
@@ -92,7 +92,7 @@ impl Maker {
             } else {
                 ""
             };
-            self.text.line(&format!(
+            self.text.line(format!(
                 "lighting {{ falloff \"{fall}\"; view-falloff \"{view}\"{reach} }}"
             ));
         }
@@ -124,19 +124,19 @@ material "air" { diffuse 1; transparency 1; ior 1 }"#,
             match self.random.below(5) {
                 0 if location != target => {
                     let theta = self.number(5.0, 80.0);
-                    self.text.line(&format!(
+                    self.text.line(format!(
                         "spotlight {{ {head}; point {target}; theta {theta} }}"
                     ));
                 }
                 1 => {
                     let (normal, xdir) = self.axes();
                     let (width, height) = (self.size(2.0), self.size(2.0));
-                    self.text.line(&format!(
+                    self.text.line(format!(
                         "projector {{ {head}; point {target}; normal {normal}; xdir {xdir}; \
                          dimensions {width} {height}; texture \"arrow\" }}"
                     ));
                 }
-                _ => self.text.line(&format!("light {{ {head} }}")),
+                _ => self.text.line(format!("light {{ {head} }}")),
             }
         }
     }
@@ -154,7 +154,7 @@ material "air" { diffuse 1; transparency 1; ior 1 }"#,
             let (width, height) = (self.size(2.0), self.size(2.0));
             format!("point {place}; normal {normal}; xdir {xdir}; dimensions {width} {height}")
         };
-        self.text.line(&format!(
+        self.text.line(format!(
             "lamp {{ {shape}; emissivity {emissivity}; samples 5 }}"
         ));
     }
@@ -211,13 +211,13 @@ material "air" { diffuse 1; transparency 1; ior 1 }"#,
             0 => {
                 let tile = self.size(2.0);
                 let other = self.random.pick(&NAMES);
-                self.text.line(&format!(
+                self.text.line(format!(
                     "tiled-plane {{ {head}; xdir {xdir}; dimensions {tile} {tile}; alternate \"{other}\" }}"
                 ));
             }
-            1 => self.text.line(&format!(
-                "procedural-plane {{ {head}; shader \"stripes\" }}"
-            )),
+            1 => self
+                .text
+                .line(format!("procedural-plane {{ {head}; shader \"stripes\" }}")),
             _ => self.text.plane(&common, point, normal),
         }
     }
