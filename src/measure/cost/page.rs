@@ -112,7 +112,7 @@ fn sentence(words: &str) -> String {
 
 /// A text as markup in which numbers keep their units, and words with hyphens stay whole.
 fn markup(text: &str) -> String {
-    let whole = |word| match escaped(word) {
+    let whole = |word: &str| match escaped(word) {
         // A path may be longer than a line.
         word if word.contains('-') && word.len() < 40 => {
             format!("<span class=\"whole\">{word}</span>")
