@@ -71,7 +71,7 @@ impl Effort {
 /// `progress` gets the number of pictures rendered, and of all.
 ///
 /// # Errors
-/// As [`observed`] and [`without`].
+/// If a film cannot have the scene's size, or the threads cannot start.
 ///
 /// # Panics
 /// If simulating everything changes the picture, which is a bug.
