@@ -39,7 +39,7 @@ enum Choice<'v> {
     /// Candidates, of which the first has passed the quick tests.
     Candidates(&'v [Candidate]),
     /// Occluders by index, in file order.
-    SamplePositions(Vec<usize>),
+    Indices(Vec<usize>),
     /// The occluders that a tree finds.
     Tree(&'v OccluderTree),
 }
@@ -151,7 +151,7 @@ impl<'v, 'a> Receiver<'v, 'a> {
             return ControlFlow::Continue(Some(Choice::Tree(tree)));
         }
         few.sort_unstable();
-        ControlFlow::Continue(Some(Choice::SamplePositions(few)))
+        ControlFlow::Continue(Some(Choice::Indices(few)))
     }
 }
 
@@ -188,7 +188,7 @@ impl<'a> Occluders<'_, 'a> {
                 let hiding = all.filter(|occluder| hides(occluder));
                 transmittance(hiding.map(|occluder| &occluder.primitive), segment)
             }
-            Choice::SamplePositions(places) => {
+            Choice::Indices(places) => {
                 let all = places.iter().map(|place| &occluders[*place]);
                 let hiding = all.filter(|occluder| hides(occluder));
                 transmittance(hiding.map(|occluder| &occluder.primitive), segment)
